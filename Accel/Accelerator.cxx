@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Accelerator.h"
+
+#include "Accel/Registry.h"
+
+#include <string>
+
+
+namespace lumitree
+{
+namespace
+{
+
+/// Below this many primitives a tree costs more than it saves.
+constexpr std::size_t bruteForceLimit = 8;
+
+Structure choose(const Surface& surface)
+{
+  return surface.hittable().size() <= bruteForceLimit ? Structure::BruteForce : Structure::Bvh;
+}
+
+void checkRange(const char* what, int value, int low, int high)
+{
+  if (value < low || value > high)
+  {
+    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) +
+      ", it must lie in " + std::to_string(low) + "…" + std::to_string(high));
+  }
+}
+
+} // namespace
+
+Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  : options_(options)
+  , surface_(std::move(surface))
+{
+}
+
+Accelerator::~Accelerator() = default;
+
+std::shared_ptr<const Accelerator> build(
+  std::shared_ptr<const Surface> surface, const BuildOptions& asked)
+{
+  if (!surface)
+  {
+    throw std::invalid_argument("there is no surface to build over");
+  }
+  checkRange("leaf size", asked.leafSize, 1, 1024);
+  checkRange("greatest depth", asked.maxDepth, 1, 64);
+  checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
+  BuildOptions options = asked;
+  if (options.structure == Structure::Auto)
+  {
+    options.structure = choose(*surface);
+  }
+  return Registry::instance().find(options.structure).build(std::move(surface), options);
+}
+
+} // namespace lumitree

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Accelerator_h
+#define Lumitree_Accel_Accelerator_h
+
+#include "Accel/BuildOptions.h"
+#include "Accel/Export.h"
+#include "Accel/Hierarchy.h"
+#include "Accel/Hit.h"
+#include "Accel/Query.h"
+#include "Accel/Ray.h"
+#include "Accel/Surface.h"
+
+#include <memory>
+#include <stdexcept>
+
+namespace lumitree
+{
+
+/// A query that a structure does not answer (a precision it cannot promise, for example).
+class LUMITREE_ACCEL_EXPORT UnsupportedQuery : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A structure over a surface, ready for batches of rays. Immutable: any number of threads may query it.
+///
+/// A primitive is hit when the closed segment of the ray meets the closed triangle and the ray is not
+/// parallel to the triangle's plane. Of several hits at the same t, the lowest primitive wins.
+/// The outputs hold one element per ray of the batch and are written whole.
+class LUMITREE_ACCEL_EXPORT Accelerator
+{
+public:
+  Accelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options);
+  virtual ~Accelerator();
+  Accelerator(const Accelerator&) = delete;
+  Accelerator& operator=(const Accelerator&) = delete;
+
+  [[nodiscard]] const Surface& surface() const { return *this->surface_; }
+  [[nodiscard]] std::shared_ptr<const Surface> sharedSurface() const { return this->surface_; }
+
+  /// What was built; structure is never Auto here.
+  [[nodiscard]] const BuildOptions& options() const { return this->options_; }
+  [[nodiscard]] const BuildStatistics& statistics() const { return this->statistics_; }
+
+  /// Whether queries of that precision are answered; others throw UnsupportedQuery.
+  [[nodiscard]] virtual bool supports(Precision) const = 0;
+
+  /// The nearest hit of each ray.
+  virtual QueryReport closest(
+    const RayBatch& rays, Hit* hits, const QueryOptions& options = {}) const = 0;
+
+  /// Whether each ray hits anything: 1 or 0.
+  virtual QueryReport any(
+    const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options = {}) const = 0;
+
+  /// Every hit of each ray, ordered by (t, primitive).
+  virtual QueryReport all(
+    const RayBatch& rays, AllHits& hits, const QueryOptions& options = {}) const = 0;
+
+  /// How many primitives each ray hits.
+  virtual QueryReport count(
+    const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options = {}) const = 0;
+
+  /// The structure as a flat list of nodes; one node (a leaf) where there is no hierarchy.
+  [[nodiscard]] virtual HierarchyView hierarchy() const = 0;
+
+protected:
+  BuildStatistics statistics_;
+  BuildOptions options_;
+
+private:
+  std::shared_ptr<const Surface> surface_;
+};
+
+/// Builds what the options ask for through the registry of back ends. Throws std::invalid_argument for
+/// options out of range and UnknownStructure (Registry.h) for a structure that this build lacks.
+[[nodiscard]] LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> build(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options = {});
+
+} // namespace lumitree
+
+#endif

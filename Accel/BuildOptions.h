@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_BuildOptions_h
+#define Lumitree_Accel_BuildOptions_h
+
+#include "Accel/Choices.h"
+
+#include <cstddef>
+
+namespace lumitree
+{
+
+struct JobControl;
+
+/// How an accelerator is built. Two equal sets of options on one surface give the same structure.
+struct BuildOptions
+{
+  Structure structure = Structure::Auto;
+  BvhBuild bvhBuild = BvhBuild::BinnedSah;
+  int leafSize = 4;  ///< BVH: split nodes with more primitives than this; 1…1024
+  int maxDepth = 64; ///< trees: a node this deep becomes a leaf whatever it holds; 1…64
+
+  friend bool operator==(const BuildOptions& a, const BuildOptions& b)
+  {
+    return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.leafSize == b.leafSize &&
+      a.maxDepth == b.maxDepth;
+  }
+};
+
+/// What building took and what came of it.
+struct BuildStatistics
+{
+  std::size_t nodes = 0;      ///< interior nodes and leaves
+  std::size_t leaves = 0;
+  int depth = 0;              ///< of the deepest leaf; the root has depth 0
+  double sahCost = 0.0;       ///< expected cost of a random ray that meets the root: (Σ area(n) c(n)) / area(root),
+                              ///< c = 1 for an interior node, number of primitives for a leaf
+  std::size_t references = 0; ///< primitives counted once per leaf that holds them
+  double duplication = 0.0;   ///< references / primitives that can be hit; 1 where nothing is held twice
+  std::size_t memory = 0;     ///< bytes of the structure, the surface not included
+  double buildSeconds = 0.0;
+};
+
+} // namespace lumitree
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Hit_h
+#define Lumitree_Accel_Hit_h
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace lumitree
+{
+
+/// Index of a primitive of a Surface; noPrimitive is a miss.
+using PrimitiveId = std::uint32_t;
+inline constexpr PrimitiveId noPrimitive = std::numeric_limits<PrimitiveId>::max();
+
+/// Where a ray meets a primitive. The point is origin + t direction; on a triangle (v0, v1, v2) it is also
+/// (1 - u - v) v0 + u v1 + v v2. A miss has primitive == noPrimitive, t = infinity, u = v = 0.
+struct Hit
+{
+  double t = std::numeric_limits<double>::infinity();
+  double u = 0.0;
+  double v = 0.0;
+  PrimitiveId primitive = noPrimitive;
+};
+
+/// Every hit of a batch: those of ray i are hits[offsets[i]] … hits[offsets[i + 1] - 1], ordered by
+/// (t, primitive).
+struct AllHits
+{
+  std::vector<std::uint64_t> offsets; ///< rays + 1
+  std::vector<Hit> hits;
+};
+
+} // namespace lumitree
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Parallel.h"
+
+#include "Accel/FloatEnvironment.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace lumitree
+{
+
+bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* control,
+  const std::function<void(std::size_t, std::size_t)>& body)
+{
+  const std::size_t step = std::max<std::size_t>(chunk, 1);
+  const std::size_t chunks = (n + step - 1) / step;
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<std::size_t> done{ 0 };
+  const auto stopped = [&] { return control && control->stop.load(std::memory_order_relaxed); };
+
+  const auto runChunk = [&](std::size_t i) {
+    if (stopped())
+    {
+      return;
+    }
+    {
+      const FloatEnvironment environment;
+      body(i * step, std::min(n, (i + 1) * step));
+    }
+    const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
+    if (control && control->onProgress && std::this_thread::get_id() == caller &&
+      !control->onProgress(static_cast<double>(finished) / static_cast<double>(chunks)))
+    {
+      control->stop.store(true, std::memory_order_relaxed);
+    }
+  };
+
+  if (threads == 1 || chunks <= 1)
+  {
+    for (std::size_t i = 0; i < chunks; ++i)
+    {
+      runChunk(i);
+    }
+  }
+  else
+  {
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i)
+          {
+            runChunk(i);
+          }
+        });
+    });
+  }
+  return done.load() == chunks;
+}
+
+} // namespace lumitree

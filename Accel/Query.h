@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Query_h
+#define Lumitree_Accel_Query_h
+
+#include "Accel/Choices.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+namespace lumitree
+{
+
+/// What the canonical single-ray walk of one ray cost, whatever batching does.
+struct RayCounters
+{
+  std::uint32_t nodes = 0;      ///< nodes entered, leaves included (those of a tree), 0 for a grid
+  std::uint32_t cells = 0;      ///< cells stepped through (those of a grid), 0 for a tree
+  std::uint32_t leaves = 0;     ///< leaves (or occupied cells) whose primitives were tested
+  std::uint32_t primitives = 0; ///< primitives tested, a repeated test counted again
+};
+
+/// How a long job talks to the thread that started it. Only that thread calls onProgress; workers read
+/// the flag.
+struct JobControl
+{
+  /// Told the fraction done, 0…1; returns false to stop the job. May be empty.
+  std::function<bool(double)> onProgress;
+  std::atomic<bool> stop{ false };
+};
+
+/// How a batch is to be answered.
+struct QueryOptions
+{
+  Precision precision = Precision::Fast;
+  int threads = 0; ///< 0: as many as oneTBB gives
+  JobControl* control = nullptr;
+  RayCounters* perRay = nullptr;       ///< one per ray, overwritten; null: not counted
+  std::uint64_t* perNode = nullptr;    ///< visits, one per node of hierarchy(), added to; or null
+};
+
+/// What is to be known of a batch beside its answers.
+struct QueryReport
+{
+  std::uint64_t invalidRays = 0; ///< rays that are not valid (see isValid): they hit nothing
+  std::uint64_t exactTests = 0;  ///< candidates that the floating-point filter could not decide
+  bool completed = true;         ///< false when stopped: answers of rays not reached are misses
+};
+
+} // namespace lumitree
+
+#endif

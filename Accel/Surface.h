@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Surface_h
+#define Lumitree_Accel_Surface_h
+
+#include "Accel/Box.h"
+#include "Accel/Export.h"
+#include "Accel/Hit.h"
+#include "Accel/Ray.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lumitree
+{
+
+/// Point indices of a triangle.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Points of a surface, float or double, kept as given (never converted, never moved).
+struct PointArray
+{
+  ArrayView values;      ///< count triples
+  std::size_t count = 0;
+  std::shared_ptr<const void> owner; ///< keeps the memory alive
+
+  /// Takes over a vector of xyz triples.
+  ///@{
+  LUMITREE_ACCEL_EXPORT static PointArray from(std::vector<float> xyz);
+  LUMITREE_ACCEL_EXPORT static PointArray from(std::vector<double> xyz);
+  ///@}
+};
+
+/// The cell a primitive came from.
+struct SourceCell
+{
+  std::int64_t cell = -1;     ///< id within its dataset
+  std::int64_t composite = 0; ///< flat index of that dataset, 0 when there is only one
+};
+
+/// Primitives first … next block's first - 1 came from one dataset of a composite.
+struct SourceBlock
+{
+  PrimitiveId first = 0;
+  std::int64_t composite = 0;
+};
+
+/// Where primitives came from. Primitives are stored in the order of (dataset, cell), so that the lowest
+/// primitive is also the lowest cell.
+struct SourceMap
+{
+  std::vector<std::int64_t> cells;  ///< one per primitive; empty: primitive i is cell i
+  std::vector<SourceBlock> blocks; ///< ascending by first; empty: one dataset, flat index 0
+};
+
+/// What the surfaces of a scene are made of: immutable triangles, shared by every structure built over
+/// them. Triangles with a coordinate that is not finite (or beyond coordinateLimit) and triangles of
+/// zero area (decided exactly) stay in the numbering but are never hit.
+class LUMITREE_ACCEL_EXPORT Surface
+{
+public:
+  /// Throws std::invalid_argument when a triangle names a point that does not exist, when there are more
+  /// than 2^32 - 2 triangles, or when the map does not fit the triangles.
+  Surface(PointArray points, std::vector<Triangle> triangles, SourceMap sources = {});
+
+  [[nodiscard]] std::size_t pointCount() const { return this->points_.count; }
+  [[nodiscard]] std::size_t size() const { return this->triangles_.size(); }
+  [[nodiscard]] ArrayView::Scalar scalar() const { return this->points_.values.type; }
+  [[nodiscard]] Vec3 point(std::size_t i) const { return this->points_.values.triple(i); }
+  [[nodiscard]] const Triangle& triangle(PrimitiveId i) const { return this->triangles_[i]; }
+
+  [[nodiscard]] std::array<Vec3, 3> vertices(PrimitiveId i) const
+  {
+    const Triangle& t = this->triangles_[i];
+    return { this->point(t[0]), this->point(t[1]), this->point(t[2]) };
+  }
+
+  [[nodiscard]] Box box(PrimitiveId i) const
+  {
+    Box b;
+    for (const std::uint32_t p : this->triangles_[i])
+    {
+      b.extend(this->point(p));
+    }
+    return b;
+  }
+
+  /// Primitives that can be hit, ascending; the others are counted below.
+  [[nodiscard]] const std::vector<PrimitiveId>& hittable() const { return this->hittable_; }
+  [[nodiscard]] std::size_t nonFiniteCount() const { return this->nonFinite_; }
+  [[nodiscard]] std::size_t zeroAreaCount() const { return this->zeroArea_; }
+
+  /// Bounds of what can be hit.
+  [[nodiscard]] const Box& bounds() const { return this->bounds_; }
+
+  [[nodiscard]] SourceCell source(PrimitiveId i) const;
+  [[nodiscard]] const SourceMap& sources() const { return this->sources_; }
+
+  /// Bytes held, the points' memory included.
+  [[nodiscard]] std::size_t memory() const;
+
+private:
+  PointArray points_;
+  std::vector<Triangle> triangles_;
+  SourceMap sources_;
+  std::vector<PrimitiveId> hittable_;
+  std::size_t nonFinite_ = 0;
+  std::size_t zeroArea_ = 0;
+  Box bounds_;
+};
+
+} // namespace lumitree
+
+#endif
