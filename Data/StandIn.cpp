@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+namespace lumitree
+{
+int standInData();
+int standInData()
+{
+  return 0;
+}
+}
