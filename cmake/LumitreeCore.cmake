@@ -6,7 +6,8 @@
 #   [PUBLIC_LINKS <target>...] [PRIVATE_LINKS <target>...])
 #
 # A shared library Lumitree<Name>, target Lumitree::<Name>, without VTK. Headers are included from the
-# source root ("Accel/Surface.h") and installed under the same path in include/lumitree.
+# source root ("Accel/Surface.h") and installed under the same path in include/lumitree. A core with an Export.h
+# shows only what it marks.
 function (lumitree_add_core_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC_LINKS;PRIVATE_LINKS")
   set(target "Lumitree${name}")
@@ -16,6 +17,11 @@ function (lumitree_add_core_library name)
     EXPORT_NAME "${name}"
     VERSION "${PROJECT_VERSION}"
     SOVERSION "${PROJECT_VERSION_MAJOR}")
+  if (EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/Export.h")
+    set_target_properties("${target}" PROPERTIES
+      CXX_VISIBILITY_PRESET hidden
+      VISIBILITY_INLINES_HIDDEN ON)
+  endif ()
   target_include_directories("${target}" PUBLIC
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lumitree>")

@@ -3,10 +3,7 @@
 #
 # ParaView first, because it brings a VTK of its own that a plugin must share; plain VTK otherwise.
 
-set(LUMITREE_VTK_COMPONENTS
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms CommonSystem
-  FiltersCore FiltersExtraction FiltersGeneral FiltersGeometry FiltersSources IOLegacy IOXML
-  ParallelCore)
+include(LumitreeVTKPackages)
 
 set(_lumitree_vtk FALSE)
 set(_lumitree_vtk_detail "neither ParaView nor VTK was found")
@@ -17,9 +14,8 @@ if (LUMITREE_VTK STREQUAL "OFF" AND LUMITREE_PARAVIEW STREQUAL "ON")
 endif ()
 
 if (NOT LUMITREE_VTK STREQUAL "OFF" AND NOT LUMITREE_PARAVIEW STREQUAL "OFF")
-  # Only what a plugin without a user interface links: asking for all would require the development packages
-  # of everything that ParaView was built with (HDF5, Qt, and many more).
-  find_package(ParaView QUIET COMPONENTS RemotingCore RemotingServerManager WrapClientServer)
+  lumitree_repair_package(ParaView)
+  find_package(ParaView QUIET COMPONENTS ${LUMITREE_PARAVIEW_COMPONENTS})
   if (ParaView_FOUND)
     set(_lumitree_paraview TRUE)
     set(_lumitree_paraview_detail "${ParaView_VERSION}")
@@ -28,9 +24,10 @@ if (NOT LUMITREE_VTK STREQUAL "OFF" AND NOT LUMITREE_PARAVIEW STREQUAL "OFF")
   endif ()
 endif ()
 if (NOT LUMITREE_VTK STREQUAL "OFF" AND NOT _lumitree_paraview)
+  lumitree_repair_package(VTK)
   find_package(VTK 9.1 QUIET
     COMPONENTS ${LUMITREE_VTK_COMPONENTS}
-    OPTIONAL_COMPONENTS Python WrappingPythonCore WrappingTools)
+    OPTIONAL_COMPONENTS ${LUMITREE_VTK_OPTIONAL_COMPONENTS})
   if (VTK_FOUND)
     set(_lumitree_vtk TRUE)
     set(_lumitree_vtk_detail "${VTK_VERSION}, plain")

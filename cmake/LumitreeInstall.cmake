@@ -23,7 +23,9 @@ configure_package_config_file(
 write_basic_package_version_file(
   "${_lumitree_package_directory}/LumitreeConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/LumitreeVTKPackages.cmake" "${_lumitree_package_directory}" COPYONLY)
 install(FILES
+  "${_lumitree_package_directory}/LumitreeVTKPackages.cmake"
   "${_lumitree_package_directory}/LumitreeConfig.cmake"
   "${_lumitree_package_directory}/LumitreeConfigVersion.cmake"
   DESTINATION "${LUMITREE_CMAKE_DESTINATION}")
