@@ -60,6 +60,8 @@ function (lumitree_repair_package package)
       content "${content}")
     string(REPLACE "(_vtk_module_import_prefix \"\${CMAKE_CURRENT_LIST_DIR}\""
       "(_vtk_module_import_prefix \"${directory}\"" content "${content}")
+    string(REPLACE "(PACKAGE_PREFIX_DIR \"\${CMAKE_CURRENT_LIST_DIR}" "(PACKAGE_PREFIX_DIR \"${directory}"
+      content "${content}")
     if (file IN_LIST module_lists)
       string(REGEX REPLACE "(dist-packages/[A-Za-z0-9_/]+)\\.so\"" "\\1${suffix}\"" content "${content}")
     endif ()
