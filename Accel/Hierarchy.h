@@ -35,6 +35,15 @@ struct HierarchyView
   std::vector<PrimitiveId> references;
 };
 
+class Surface;
+struct BuildStatistics;
+
+/// Fills in each node's cost and each interior node's number of references from the leaves.
+void completeHierarchy(HierarchyView& view);
+
+/// Nodes, leaves, depth, references, duplication and surface-area cost of a hierarchy over a surface.
+[[nodiscard]] BuildStatistics describe(const HierarchyView& view, const Surface& surface);
+
 } // namespace lumitree
 
 #endif

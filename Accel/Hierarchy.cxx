@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Hierarchy.h"
+
+#include "Accel/BuildOptions.h"
+#include "Accel/Surface.h"
+
+#include <algorithm>
+
+namespace lumitree
+{
+
+void completeHierarchy(HierarchyView& view)
+{
+  const double rootArea = view.nodes.empty() ? 0.0 : view.nodes.front().box.area();
+  // Parents come before their children, so counts flow upward in one backward pass.
+  for (std::size_t i = view.nodes.size(); i-- > 0;)
+  {
+    HierarchyNode& node = view.nodes[i];
+    const double share = rootArea > 0.0 ? node.box.area() / rootArea : 0.0;
+    node.cost = share * (node.leaf ? node.referenceCount : 1);
+    if (node.parent >= 0)
+    {
+      view.nodes[static_cast<std::size_t>(node.parent)].referenceCount += node.referenceCount;
+    }
+  }
+}
+
+BuildStatistics describe(const HierarchyView& view, const Surface& surface)
+{
+  BuildStatistics s;
+  s.nodes = view.nodes.size();
+  for (const HierarchyNode& node : view.nodes)
+  {
+    s.leaves += node.leaf ? 1 : 0;
+    s.depth = std::max(s.depth, static_cast<int>(node.depth));
+    s.sahCost += node.cost;
+  }
+  s.references = view.references.size();
+  s.duplication = surface.hittable().empty()
+    ? 1.0
+    : static_cast<double>(s.references) / static_cast<double>(surface.hittable().size());
+  return s;
+}
+
+} // namespace lumitree

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Kernel/BatchRunner.h"
+
+#include "Accel/Kernel/Queries.h"
+#include "Accel/Parallel.h"
+
+#include <mutex>
+
+namespace lumitree
+{
+namespace
+{
+
+constexpr std::size_t raysPerChunk = 1024;
+
+} // namespace
+
+/// What one chunk of rays needs; totals are added to the report when it ends.
+class BatchRunner::Chunk
+{
+public:
+  Chunk(const BatchRunner& runner, const RayBatch& rays, QueryKind query, const QueryOptions& options)
+    : runner_(runner)
+    , rays_(rays)
+    , options_(options)
+    , state_(runner.surface_)
+    , kernel_(leafKernel(runner.surface_.scalar(), options.precision, query))
+  {
+    if (options.perNode)
+    {
+      this->visits_.resize(runner.nodeCount_);
+    }
+  }
+
+  /// Traces ray i; false when it is not valid.
+  bool trace(std::size_t i)
+  {
+    const Ray ray = this->rays_[i];
+    this->state_.start(ray);
+    RayCounters counters;
+    const bool valid = isValid(ray);
+    if (valid)
+    {
+      this->setSkips(i);
+      const RayBox box(ray);
+      if (this->options_.perRay || this->options_.perNode)
+      {
+        CountingVisitor visitor(this->state_, this->kernel_, this->runner_.blocks_, counters,
+          this->options_.perNode ? this->visits_.data() : nullptr);
+        this->runner_.walks_.counting(this->runner_.structure_, box, visitor);
+      }
+      else
+      {
+        LeafVisitor visitor(this->state_, this->kernel_, this->runner_.blocks_);
+        this->runner_.walks_.plain(this->runner_.structure_, box, visitor);
+      }
+    }
+    if (this->options_.perRay)
+    {
+      this->options_.perRay[i] = counters;
+    }
+    this->invalid_ += valid ? 0 : 1;
+    return valid;
+  }
+
+  [[nodiscard]] RayState& state() { return this->state_; }
+
+  void addTo(QueryReport& report) const
+  {
+    report.invalidRays += this->invalid_;
+    report.exactTests += this->state_.exactTests;
+    for (std::size_t n = 0; n < this->visits_.size(); ++n)
+    {
+      this->options_.perNode[n] += this->visits_[n];
+    }
+  }
+
+private:
+  void setSkips(std::size_t i)
+  {
+    const SkipSets& skip = this->rays_.skip;
+    if (skip.offsets)
+    {
+      const std::size_t set = skip.setOfRay ? skip.setOfRay[i] : i;
+      this->state_.skipFirst = skip.primitives + skip.offsets[set];
+      this->state_.skipLast = skip.primitives + skip.offsets[set + 1];
+    }
+  }
+
+  const BatchRunner& runner_;
+  const RayBatch& rays_;
+  const QueryOptions& options_;
+  RayState state_;
+  LeafKernel kernel_;
+  std::uint64_t invalid_ = 0;
+  std::vector<std::uint64_t> visits_;
+};
+
+BatchRunner::BatchRunner(const Surface& surface, const void* structure, WalkFunctions walks,
+  const void* blocks, std::size_t nodeCount)
+  : surface_(surface)
+  , structure_(structure)
+  , walks_(walks)
+  , blocks_(blocks)
+  , nodeCount_(nodeCount)
+{
+}
+
+QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
+  const std::function<void(std::size_t, std::size_t, Chunk&)>& body) const
+{
+  // Visits are counted per chunk and then added, so chunks are large where the structure has many nodes.
+  const std::size_t chunk =
+    options.perNode ? std::max(raysPerChunk, this->nodeCount_ / 4) : raysPerChunk;
+  QueryReport report;
+  std::mutex mutex;
+  report.completed = parallelFor(
+    rays.size, chunk, options.threads, options.control, [&](std::size_t begin, std::size_t end) {
+      Chunk work(*this, rays, query, options);
+      body(begin, end, work);
+      const std::lock_guard<std::mutex> lock(mutex);
+      work.addTo(report);
+    });
+  return report;
+}
+
+QueryReport BatchRunner::closest(
+  const RayBatch& rays, Hit* hits, const QueryOptions& options) const
+{
+  std::fill_n(hits, rays.size, Hit{});
+  return this->run(rays, QueryKind::Closest, options,
+    [&](std::size_t begin, std::size_t end, Chunk& work) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (work.trace(i) && work.state().best.primitive != noPrimitive)
+        {
+          hits[i] = finish(work.state(), work.state().best.primitive, options.precision);
+        }
+      }
+    });
+}
+
+QueryReport BatchRunner::any(
+  const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const
+{
+  std::fill_n(hit, rays.size, std::uint8_t{ 0 });
+  return this->run(
+    rays, QueryKind::Any, options, [&](std::size_t begin, std::size_t end, Chunk& work) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        hit[i] = work.trace(i) && work.state().best.primitive != noPrimitive ? 1 : 0;
+      }
+    });
+}
+
+QueryReport BatchRunner::count(
+  const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const
+{
+  std::fill_n(counts, rays.size, std::uint32_t{ 0 });
+  return this->run(
+    rays, QueryKind::Count, options, [&](std::size_t begin, std::size_t end, Chunk& work) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (work.trace(i))
+        {
+          dropDuplicates(work.state());
+          counts[i] = static_cast<std::uint32_t>(work.state().found.size());
+        }
+      }
+    });
+}
+
+QueryReport BatchRunner::all(
+  const RayBatch& rays, AllHits& out, const QueryOptions& options) const
+{
+  // Each chunk keeps its hits until every ray's number of hits, and so its place, is known.
+  struct Part
+  {
+    std::size_t firstRay;
+    std::vector<Hit> hits;
+  };
+  std::vector<Part> parts;
+  std::mutex mutex;
+  out.offsets.assign(rays.size + 1, 0);
+  const QueryReport report = this->run(
+    rays, QueryKind::All, options, [&](std::size_t begin, std::size_t end, Chunk& work) {
+      Part part{ begin, {} };
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (work.trace(i))
+        {
+          arrange(work.state(), options.precision);
+          out.offsets[i + 1] = work.state().found.size();
+          for (const Candidate& c : work.state().found)
+          {
+            part.hits.push_back(finish(work.state(), c.primitive, options.precision));
+          }
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      parts.push_back(std::move(part));
+    });
+  for (std::size_t i = 0; i < rays.size; ++i)
+  {
+    out.offsets[i + 1] += out.offsets[i];
+  }
+  out.hits.resize(out.offsets.back());
+  parallelFor(parts.size(), 1, options.threads, nullptr, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      std::copy(parts[p].hits.begin(), parts[p].hits.end(),
+        out.hits.begin() + static_cast<std::ptrdiff_t>(out.offsets[parts[p].firstRay]));
+    }
+  });
+  return report;
+}
+
+} // namespace lumitree

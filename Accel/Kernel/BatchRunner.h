@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Kernel_BatchRunner_h
+#define Lumitree_Accel_Kernel_BatchRunner_h
+
+#include "Accel/Accelerator.h"
+#include "Accel/Kernel/RayBox.h"
+#include "Accel/Kernel/Visitors.h"
+
+#include <functional>
+
+namespace lumitree
+{
+
+/// Walks one ray through a structure; the two forms of a structure's walk behind one pointer each.
+struct WalkFunctions
+{
+  void (*plain)(const void* structure, const RayBox&, LeafVisitor&) = nullptr;
+  void (*counting)(const void* structure, const RayBox&, CountingVisitor&) = nullptr;
+};
+
+/// The walks of a structure that offers `template <class V> void walk(const RayBox&, V&) const`.
+template <class Tree>
+WalkFunctions walkFunctions()
+{
+  return { [](const void* tree, const RayBox& ray, LeafVisitor& visitor) {
+            static_cast<const Tree*>(tree)->walk(ray, visitor);
+          },
+    [](const void* tree, const RayBox& ray, CountingVisitor& visitor) {
+      static_cast<const Tree*>(tree)->walk(ray, visitor);
+    } };
+}
+
+/// Answers batches by walking ray after ray: threads, counters, validity, skipping and the order of all hits, once for
+/// every structure.
+class BatchRunner
+{
+public:
+  BatchRunner(const Surface& surface, const void* structure, WalkFunctions walks,
+    const void* blocks, std::size_t nodeCount);
+
+  QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const;
+  QueryReport any(const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const;
+  QueryReport all(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const;
+  QueryReport count(const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const;
+
+private:
+  class Chunk;
+
+  /// Calls body for each chunk of rays and gathers the chunks' reports.
+  QueryReport run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
+    const std::function<void(std::size_t begin, std::size_t end, Chunk&)>& body) const;
+
+  const Surface& surface_;
+  const void* structure_;
+  WalkFunctions walks_;
+  const void* blocks_;
+  std::size_t nodeCount_;
+};
+
+} // namespace lumitree
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Kernel_Crossing_h
+#define Lumitree_Accel_Kernel_Crossing_h
+
+#include "Accel/Kernel/EdgeFilter.h"
+
+#include <array>
+
+namespace lumitree
+{
+
+/// Where a ray crosses a triangle, with a certified interval of t.
+struct Crossing
+{
+  double t = 0.0;
+  double tLow = 0.0;  ///< tLow <= exact t <= tHigh, given that the triangle is hit
+  double tHigh = 0.0;
+  double u = 0.0; ///< weight of vertex 1
+  double v = 0.0; ///< weight of vertex 2
+};
+
+/// The edge functions of one triangle, by the arithmetic of the block filter: the same bits.
+inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+{
+  const Vec3 a = vertices[0] - ray.origin;
+  const Vec3 b = vertices[1] - ray.origin;
+  const Vec3 c = vertices[2] - ray.origin;
+  const Vec3 bc = vertices[2] - vertices[1];
+  const Vec3 ca = vertices[0] - vertices[2];
+  const Vec3 ab = vertices[1] - vertices[0];
+  const Vec3& d = ray.direction;
+  EdgeValues e;
+  e.u = edgeFunction(d[0], d[1], d[2], bc[0], bc[1], bc[2], b[0], b[1], b[2]);
+  e.v = edgeFunction(d[0], d[1], d[2], ca[0], ca[1], ca[2], c[0], c[1], c[2]);
+  e.w = edgeFunction(d[0], d[1], d[2], ab[0], ab[1], ab[2], a[0], a[1], a[2]);
+  double edge = 0.0;
+  double m = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    edge = std::max({ edge, std::fabs(bc[k]), std::fabs(ca[k]), std::fabs(ab[k]) });
+    m = std::max({ m, std::fabs(a[k]), std::fabs(b[k]), std::fabs(c[k]) });
+  }
+  e.error = 2.0 * edge * m * ray.oneNorm * (FilterRay::edgeBound / 2) + ray.boundFloor;
+  return e;
+}
+
+/// t and (u, v) of a ray known, or taken, to hit the triangle: a pure function of the two, so that every path
+/// through every structure gives the same bits.
+///
+/// t is the mean of the vertices' t along the direction's dominant axis, weighted by the edge functions. It therefore
+/// always lies within the triangle's own range of t, however grazing the ray is. With weights w_i, each wrong by
+/// e at most, and S their sum, the mean is wrong by at most 3 e R / (S - 3 e), R the range of the vertices' values; what the
+/// sums round is below 8 u max|a|, with u = 2^-53.
+inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+{
+  const EdgeValues e = edgeValues(ray, vertices);
+  int k = std::fabs(ray.direction[0]) >= std::fabs(ray.direction[1]) ? 0 : 1;
+  k = std::fabs(ray.direction[k]) >= std::fabs(ray.direction[2]) ? k : 2;
+  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k],
+    vertices[1][k] - ray.origin[k], vertices[2][k] - ray.origin[k] };
+
+  // Weights of the majority's sign; what rounding put on the other side is 0 within its error.
+  const double sign = e.u + e.v + e.w >= 0.0 ? 1.0 : -1.0;
+  const std::array<double, 3> weights = { std::max(sign * e.u, 0.0), std::max(sign * e.v, 0.0),
+    std::max(sign * e.w, 0.0) };
+  const double sum = weights[0] + weights[1] + weights[2];
+
+  const double low = std::min({ a[0], a[1], a[2] });
+  const double high = std::max({ a[0], a[1], a[2] });
+  const double rounding = 0x1p-50 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020;
+  double mean = 0.5 * low + 0.5 * high;
+  double spread = high - low;
+  Crossing x;
+  if (sum > 0.0 && sum <= std::numeric_limits<double>::max())
+  {
+    x.u = weights[1] / sum;
+    x.v = weights[2] / sum;
+    mean = (weights[0] / sum) * a[0] + (x.u * a[1] + x.v * a[2]);
+    mean = std::min(std::max(mean, low), high);
+    const double certain = sum - 3.0 * e.error;
+    if (certain > 0.0)
+    {
+      spread = std::min(spread, 3.0 * e.error * (high - low) / certain * (1.0 + 0x1p-40));
+    }
+  }
+  else
+  {
+    x.u = 1.0 / 3.0;
+    x.v = 1.0 / 3.0;
+  }
+  const double d = ray.direction[k];
+  const double pad = spread + rounding;
+  const double first = (std::max(mean - pad, low - rounding)) / d;
+  const double second = (std::min(mean + pad, high + rounding)) / d;
+  x.t = mean / d;
+  x.tLow = std::min(first, second);
+  x.tHigh = std::max(first, second);
+  x.tLow -= std::fabs(x.tLow) * 0x1p-52 + 0x1p-1070;
+  x.tHigh += std::fabs(x.tHigh) * 0x1p-52 + 0x1p-1070;
+  return x;
+}
+
+} // namespace lumitree
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Kernel_Queries_h
+#define Lumitree_Accel_Kernel_Queries_h
+
+#include "Accel/Kernel/RayState.h"
+
+namespace lumitree
+{
+
+/// A query alone owns order, ties and duplicates: offer takes a candidate that is hit and lowers tStop as far as the
+/// query allows.
+
+struct ClosestQuery
+{
+  template <class Precision>
+  static void offer(RayState& state, const Candidate& c)
+  {
+    if (state.best.primitive == noPrimitive ||
+      (c.primitive != state.best.primitive && Precision::before(state, c, state.best)) ||
+      (c.primitive == state.best.primitive && c.key < state.best.key))
+    {
+      state.best = c;
+      state.tStop = std::min(state.ray.tMax, Precision::stopAt(c));
+    }
+  }
+};
+
+struct AnyQuery
+{
+  template <class Precision>
+  static void offer(RayState& state, const Candidate& c)
+  {
+    state.best = c;
+    state.tStop = -std::numeric_limits<double>::infinity();
+  }
+};
+
+/// All and Count: every candidate is kept; a structure that holds a primitive in several leaves offers it several times.
+struct CollectQuery
+{
+  template <class Precision>
+  static void offer(RayState& state, const Candidate& c)
+  {
+    state.found.push_back(c);
+  }
+};
+
+/// A structure may have offered a primitive from several leaves: keeps the one with the lowest key.
+inline void dropDuplicates(RayState& state)
+{
+  auto& found = state.found;
+  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    return a.primitive < b.primitive || (a.primitive == b.primitive && a.key < b.key);
+  });
+  found.erase(std::unique(found.begin(), found.end(),
+                [](const Candidate& a, const Candidate& b) { return a.primitive == b.primitive; }),
+    found.end());
+}
+
+/// Drops duplicates and puts what was found in the precision's order.
+template <class Precision>
+void arrange(RayState& state)
+{
+  dropDuplicates(state);
+  std::sort(state.found.begin(), state.found.end(),
+    [&](const Candidate& a, const Candidate& b) { return Precision::before(state, a, b); });
+}
+
+} // namespace lumitree
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Kernel_RayState_h
+#define Lumitree_Accel_Kernel_RayState_h
+
+#include "Accel/Kernel/Crossing.h"
+#include "Accel/Kernel/Span.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace lumitree
+{
+
+/// A primitive that a ray hits, as far as the precision asked for can tell.
+struct Candidate
+{
+  PrimitiveId primitive = noPrimitive;
+  double key = std::numeric_limits<double>::infinity(); ///< Fast, Watertight: max(t, tEnter of the leaf)
+  double tLow = 0.0;
+  double tHigh = 0.0;
+};
+
+/// All that one ray carries through a structure. Reused from ray to ray, so that found keeps its memory.
+struct RayState
+{
+  explicit RayState(const Surface& s)
+    : surface(s)
+    , filter(Ray{})
+  {
+  }
+
+  void start(const Ray& r)
+  {
+    this->ray = r;
+    this->filter = FilterRay(r);
+    this->tStop = r.tMax;
+    this->best = Candidate{};
+    this->found.clear();
+  }
+
+  [[nodiscard]] bool skips(PrimitiveId id) const
+  {
+    return std::binary_search(this->skipFirst, this->skipLast, id);
+  }
+
+  const Surface& surface;
+  Ray ray;
+  FilterRay filter;
+  const PrimitiveId* skipFirst = nullptr;
+  const PrimitiveId* skipLast = nullptr;
+
+  double tStop = 0.0;           ///< nothing beyond matters
+  Candidate best;               ///< Closest, Any
+  std::vector<Candidate> found; ///< All, Count
+  std::uint64_t exactTests = 0; ///< candidates the filter could not decide, over all rays so far
+};
+
+} // namespace lumitree
+
+#endif

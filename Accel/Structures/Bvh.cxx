@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/Bvh.h"
+
+#include "Accel/Kernel/RayBox.h"
+#include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/BvhBuilder.h"
+
+namespace lumitree
+{
+namespace
+{
+
+class Bvh
+{
+public:
+  Bvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+  {
+    const BvhSplitter splitter = options.bvhBuild == BvhBuild::LongestAxisMedian
+      ? medianSplitter(options.leafSize)
+      : binnedSahSplitter(options.leafSize);
+    this->bvh_ = buildBvhNodes(surface, splitter, options.maxDepth);
+    this->firstBlock_.resize(this->bvh_.nodes.size());
+    std::visit(
+      [&](auto& store) {
+        store.reserve(this->bvh_.nodes.size() / 2 + surface.hittable().size() / blockWidth + 1);
+        for (std::size_t i = 0; i < this->bvh_.nodes.size(); ++i)
+        {
+          const BvhNode& node = this->bvh_.nodes[i];
+          if (node.leaf)
+          {
+            this->firstBlock_[i] =
+              store.append(surface, this->bvh_.references.data() + node.first, node.count);
+          }
+        }
+      },
+      blocks);
+  }
+
+  /// Nearer child first; a child is entered only if its box is met before the best hit so far.
+  template <class Visitor>
+  void walk(const RayBox& ray, Visitor& visitor) const
+  {
+    struct Entry
+    {
+      std::uint32_t node;
+      double tEnter;
+    };
+    // At most one sibling waits per level, and no node lies deeper than 64.
+    Entry stack[65];
+    int height = 0;
+    Entry current = { 0, 0.0 };
+    double tStop = visitor.tStop();
+    if (!ray.meets(this->bvh_.nodes[0].box, tStop, current.tEnter))
+    {
+      return;
+    }
+    while (true)
+    {
+      visitor.node(current.node);
+      const BvhNode& node = this->bvh_.nodes[current.node];
+      if (!node.leaf)
+      {
+        Entry left = { node.first, 0.0 };
+        Entry right = { node.first + 1, 0.0 };
+        const bool meetsLeft = ray.meets(this->bvh_.nodes[left.node].box, tStop, left.tEnter);
+        const bool meetsRight = ray.meets(this->bvh_.nodes[right.node].box, tStop, right.tEnter);
+        if (meetsLeft && meetsRight)
+        {
+          const bool rightFirst = right.tEnter < left.tEnter ||
+            (right.tEnter == left.tEnter && ray.negative(node.axis));
+          stack[height++] = rightFirst ? left : right;
+          current = rightFirst ? right : left;
+          continue;
+        }
+        if (meetsLeft || meetsRight)
+        {
+          current = meetsLeft ? left : right;
+          continue;
+        }
+      }
+      else
+      {
+        tStop = visitor.leaf({ this->firstBlock_[current.node], node.count, current.tEnter });
+      }
+      do
+      {
+        if (height == 0)
+        {
+          return;
+        }
+        current = stack[--height];
+      } while (current.tEnter > tStop);
+    }
+  }
+
+  [[nodiscard]] HierarchyView view() const
+  {
+    HierarchyView view;
+    view.references = this->bvh_.references;
+    view.nodes.resize(this->bvh_.nodes.size());
+    for (std::size_t i = 0; i < view.nodes.size(); ++i)
+    {
+      const BvhNode& node = this->bvh_.nodes[i];
+      HierarchyNode& shown = view.nodes[i];
+      shown.box = node.box;
+      shown.leaf = node.leaf;
+      shown.firstReference = node.leaf ? node.first : 0;
+      shown.referenceCount = node.count;
+      if (!node.leaf)
+      {
+        for (std::uint32_t child = node.first; child < node.first + 2; ++child)
+        {
+          view.nodes[child].parent = static_cast<std::int64_t>(i);
+          view.nodes[child].depth = shown.depth + 1;
+        }
+      }
+    }
+    completeHierarchy(view);
+    return view;
+  }
+
+  [[nodiscard]] std::size_t memory() const
+  {
+    return this->bvh_.nodes.capacity() * sizeof(BvhNode) +
+      this->bvh_.references.capacity() * sizeof(PrimitiveId) +
+      this->firstBlock_.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  BvhNodes bvh_;
+  std::vector<std::uint32_t> firstBlock_; ///< per node, for leaves
+};
+
+} // namespace
+
+std::shared_ptr<const Accelerator> buildBvh(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+{
+  return std::make_shared<TreeAccelerator<Bvh>>(std::move(surface), options);
+}
+
+} // namespace lumitree

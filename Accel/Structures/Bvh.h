@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Structures_Bvh_h
+#define Lumitree_Accel_Structures_Bvh_h
+
+#include "Accel/Accelerator.h"
+
+namespace lumitree
+{
+
+/// A binary bounding volume hierarchy, built as BuildOptions::bvhBuild says.
+[[nodiscard]] std::shared_ptr<const Accelerator> buildBvh(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+
+} // namespace lumitree
+
+#endif
