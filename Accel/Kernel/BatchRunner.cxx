@@ -43,17 +43,16 @@ public:
     if (valid)
     {
       this->setSkips(i);
-      const RayBox box(ray);
       if (this->options_.perRay || this->options_.perNode)
       {
         CountingVisitor visitor(this->state_, this->kernel_, this->runner_.blocks_, counters,
           this->options_.perNode ? this->visits_.data() : nullptr);
-        this->runner_.walks_.counting(this->runner_.structure_, box, visitor);
+        this->runner_.walks_.counting(this->runner_.structure_, this->state_.box, visitor);
       }
       else
       {
         LeafVisitor visitor(this->state_, this->kernel_, this->runner_.blocks_);
-        this->runner_.walks_.plain(this->runner_.structure_, box, visitor);
+        this->runner_.walks_.plain(this->runner_.structure_, this->state_.box, visitor);
       }
     }
     if (this->options_.perRay)

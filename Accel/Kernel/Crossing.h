@@ -18,6 +18,7 @@ struct Crossing
   double tHigh = 0.0;
   double u = 0.0; ///< weight of vertex 1
   double v = 0.0; ///< weight of vertex 2
+  EdgeValues edges; ///< with this triangle's own bound, tighter than its block's
 };
 
 /// The edge functions of one triangle, by the arithmetic of the block filter: the same bits.
@@ -72,6 +73,7 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
   double mean = 0.5 * low + 0.5 * high;
   double spread = high - low;
   Crossing x;
+  x.edges = e;
   if (sum > 0.0 && sum <= std::numeric_limits<double>::max())
   {
     x.u = weights[1] / sum;

@@ -26,7 +26,7 @@ void testLeaf(RayState& state, const void* store, const Span& span)
       Candidate c;
       c.primitive = block.id[lane];
       if (PrecisionPolicy::mayHit(e) && c.primitive != noPrimitive && !state.skips(c.primitive) &&
-        PrecisionPolicy::settle(state, e, span.tEnter, c))
+        PrecisionPolicy::settle(state, c))
       {
         Query::template offer<PrecisionPolicy>(state, c);
       }

@@ -12,17 +12,23 @@ namespace lumitree
 /// A precision says which lanes of the filter are candidates, settles each (does the segment hit the primitive?) and
 /// orders two that are hit.
 
-/// Floating point as it comes. The t of a candidate and its place in the order are what double arithmetic says.
-struct FastPrecision
+/// The order of hits that floating point only nearly knows: by the key, then by primitive. The key is t, but not less than
+/// the t at which the ray enters the primitive's own box, and a primitive whose box the ray does not meet is not hit. So
+/// neither the hits nor their order depend on which other boxes the structure put around the primitive.
+struct OrderByKey
 {
-  static bool mayHit(const EdgeValues& e) { return apparentlyHit(e); }
-
-  static bool settle(RayState& state, const EdgeValues&, double tEnter, Candidate& c)
+  static bool place(
+    const RayState& state, const std::array<Vec3, 3>& vertices, double t, Candidate& c)
   {
-    const Crossing x = crossing(state.filter, state.surface.vertices(c.primitive));
-    c.tLow = c.tHigh = x.t;
-    c.key = std::max(x.t, tEnter);
-    return x.t >= state.ray.tMin && x.t <= state.ray.tMax;
+    Box box;
+    for (const Vec3& vertex : vertices)
+    {
+      box.extend(vertex);
+    }
+    double tEnter = 0.0;
+    const bool met = state.box.meets(box, state.ray.tMax, tEnter);
+    c.key = std::max(t, tEnter);
+    return met;
   }
 
   static bool before(RayState&, const Candidate& a, const Candidate& b)
@@ -33,28 +39,34 @@ struct FastPrecision
   static double stopAt(const Candidate& c) { return c.key; }
 };
 
-/// Whatever the filter cannot rule out is a hit: nothing passes through a closed mesh, because of the triangles that
-/// contain an exact crossing point none is ever ruled out.
-struct WatertightPrecision
+/// Floating point as it comes: a hit and its t are what double arithmetic says.
+struct FastPrecision : OrderByKey
+{
+  static bool mayHit(const EdgeValues& e) { return apparentlyHit(e); }
+
+  static bool settle(RayState& state, Candidate& c)
+  {
+    const auto vertices = state.surface.vertices(c.primitive);
+    const Crossing x = crossing(state.filter, vertices);
+    return x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x.t, c);
+  }
+};
+
+/// Whatever the filter cannot rule out is a hit. Nothing passes through a closed mesh: a triangle that contains an exact
+/// crossing point is never ruled out.
+struct WatertightPrecision : OrderByKey
 {
   static bool mayHit(const EdgeValues& e) { return !surelyMissed(e); }
 
-  static bool settle(RayState& state, const EdgeValues& e, double tEnter, Candidate& c)
+  static bool settle(RayState& state, Candidate& c)
   {
-    state.exactTests += surelyHit(e) ? 0 : 1;
-    const Crossing x = crossing(state.filter, state.surface.vertices(c.primitive));
-    c.tLow = x.tLow;
-    c.tHigh = x.tHigh;
-    c.key = std::max(x.t, tEnter);
-    return x.tHigh >= state.ray.tMin && x.tLow <= state.ray.tMax;
+    const auto vertices = state.surface.vertices(c.primitive);
+    const Crossing x = crossing(state.filter, vertices);
+    state.exactTests += surelyHit(x.edges) ? 0 : 1;
+    // By the triangle's own bound: a block's depends on which triangles share it.
+    return !surelyMissed(x.edges) && x.tHigh >= state.ray.tMin && x.tLow <= state.ray.tMax &&
+      place(state, vertices, x.t, c);
   }
-
-  static bool before(RayState& state, const Candidate& a, const Candidate& b)
-  {
-    return FastPrecision::before(state, a, b);
-  }
-
-  static double stopAt(const Candidate& c) { return c.key; }
 };
 
 /// What rational arithmetic on the stored numbers says: the filter decides nearly always, exact arithmetic the rest.
@@ -62,18 +74,22 @@ struct ExactPrecision
 {
   static bool mayHit(const EdgeValues& e) { return !surelyMissed(e); }
 
-  static bool settle(RayState& state, const EdgeValues& e, double, Candidate& c)
+  static bool settle(RayState& state, Candidate& c)
   {
     const auto vertices = state.surface.vertices(c.primitive);
-    if (!surelyHit(e))
+    const Crossing x = crossing(state.filter, vertices);
+    if (!surelyHit(x.edges))
     {
+      if (surelyMissed(x.edges))
+      {
+        return false;
+      }
       ++state.exactTests;
       if (!exact::lineMeetsTriangle(state.ray, vertices))
       {
         return false;
       }
     }
-    const Crossing x = crossing(state.filter, vertices);
     c.tLow = x.tLow;
     c.tHigh = x.tHigh;
     c.key = x.t;

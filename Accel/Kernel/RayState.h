@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Kernel_RayState_h
 
 #include "Accel/Kernel/Crossing.h"
+#include "Accel/Kernel/RayBox.h"
 #include "Accel/Kernel/Span.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace lumitree
 struct Candidate
 {
   PrimitiveId primitive = noPrimitive;
-  double key = std::numeric_limits<double>::infinity(); ///< Fast, Watertight: max(t, tEnter of the leaf)
+  double key = std::numeric_limits<double>::infinity(); ///< Fast, Watertight: max(t, t at which the ray enters the primitive's box)
   double tLow = 0.0;
   double tHigh = 0.0;
 };
@@ -27,6 +28,7 @@ struct RayState
   explicit RayState(const Surface& s)
     : surface(s)
     , filter(Ray{})
+    , box(Ray{})
   {
   }
 
@@ -34,6 +36,7 @@ struct RayState
   {
     this->ray = r;
     this->filter = FilterRay(r);
+    this->box = RayBox(r);
     this->tStop = r.tMax;
     this->best = Candidate{};
     this->found.clear();
@@ -47,6 +50,7 @@ struct RayState
   const Surface& surface;
   Ray ray;
   FilterRay filter;
+  RayBox box;
   const PrimitiveId* skipFirst = nullptr;
   const PrimitiveId* skipLast = nullptr;
 

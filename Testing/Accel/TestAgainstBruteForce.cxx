@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Every structure against brute force: all queries, all precisions, built-in scenes, float and double.
+#include "TestHelpers.h"
+
+#include <gtest/gtest.h>
+
+using namespace lumitree;
+using namespace lumitree::testing;
+
+namespace
+{
+
+struct Case
+{
+  std::string name;
+  std::shared_ptr<const Surface> surface;
+  std::size_t rays;
+};
+
+std::vector<Case> cases()
+{
+  return {
+    { "box", surfaceOf<float>(data::cornellBox()), 100000 },
+    { "teapot", surfaceOf<float>(data::teapot(4)), 20000 },
+    { "teapot in doubles, far away", surfaceOf<double>(data::teapot(4), { 5e5, 4.6e6, 100 }), 20000 },
+    { "city", surfaceOf<float>(data::city(2)), 20000 },
+    { "stadium", surfaceOf<double>(data::teapotInStadium(4)), 20000 },
+    { "cloud", surfaceOf<float>(data::randomCloud(500)), 20000 },
+    { "terrain", surfaceOf<float>(data::terrain(16)), 20000 },
+    { "slivers", surfaceOf<double>(data::slivers(200)), 20000 },
+  };
+}
+
+std::vector<BuildOptions> structures()
+{
+  std::vector<BuildOptions> all = { optionsOf(Structure::Bvh, BvhBuild::LongestAxisMedian),
+    optionsOf(Structure::Bvh, BvhBuild::BinnedSah) };
+  all.push_back(all.back());
+  all.back().leafSize = 1;
+  all.push_back(all.front());
+  all.back().leafSize = 17;
+  return all;
+}
+
+bool same(const Hit& a, const Hit& b)
+{
+  return a.primitive == b.primitive && a.t == b.t && a.u == b.u && a.v == b.v;
+}
+
+class AgainstBruteForce : public ::testing::TestWithParam<Precision>
+{
+};
+
+TEST_P(AgainstBruteForce, EveryQueryAgrees)
+{
+  QueryOptions options;
+  options.precision = GetParam();
+  for (const Case& c : cases())
+  {
+    SCOPED_TRACE(c.name);
+    const Rays rays = raysAround(*c.surface, c.rays, 7);
+    const RayBatch batch = rays.batch();
+    const auto oracle = build(c.surface, optionsOf(Structure::BruteForce));
+    std::vector<Hit> wanted(batch.size);
+    std::vector<std::uint32_t> wantedCounts(batch.size);
+    AllHits wantedAll;
+    oracle->closest(batch, wanted.data(), options);
+    oracle->count(batch, wantedCounts.data(), options);
+    oracle->all(batch, wantedAll, options);
+
+    for (const BuildOptions& build : structures())
+    {
+      const auto tree = lumitree::build(c.surface, build);
+      std::vector<Hit> hits(batch.size);
+      std::vector<std::uint8_t> any(batch.size);
+      std::vector<std::uint32_t> counts(batch.size);
+      AllHits all;
+      tree->closest(batch, hits.data(), options);
+      tree->any(batch, any.data(), options);
+      tree->count(batch, counts.data(), options);
+      tree->all(batch, all, options);
+      std::size_t differences = 0;
+      for (std::size_t i = 0; i < batch.size; ++i)
+      {
+        differences += same(hits[i], wanted[i]) ? 0 : 1;
+        differences += any[i] == (wanted[i].primitive != noPrimitive ? 1 : 0) ? 0 : 1;
+        differences += counts[i] == wantedCounts[i] ? 0 : 1;
+      }
+      EXPECT_EQ(differences, 0u);
+      EXPECT_EQ(all.offsets, wantedAll.offsets);
+      ASSERT_EQ(all.hits.size(), wantedAll.hits.size());
+      for (std::size_t i = 0; i < all.hits.size(); ++i)
+      {
+        ASSERT_TRUE(same(all.hits[i], wantedAll.hits[i])) << "hit " << i;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, AgainstBruteForce,
+  ::testing::Values(Precision::Fast, Precision::Watertight, Precision::Exact),
+  [](const auto& precision) { return std::string(name(precision.param)); });
+
+} // namespace
