@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumiRaySources.h"
+
+#include "LumiDirections.h"
+#include "LumiExtract.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+
+namespace
+{
+
+using namespace lumitree;
+using filters::RaySource;
+using filters::RaySources;
+using filters::unit;
+
+using Corners = std::array<Vec3, 3>;
+
+/// Twice the area, along the normal of the winding.
+Vec3 areaOf(const Corners& t)
+{
+  return cross(t[1] - t[0], t[2] - t[0]);
+}
+
+/// The middle of one cell, and its area along its normal.
+struct Facet
+{
+  Vec3 centre;
+  Vec3 area;
+};
+
+Facet polygonFacet(const std::vector<Vec3>& points)
+{
+  // The fan's triangles have signed areas, so that the sums hold for polygons that are not convex
+  // too.
+  Vec3 area = { 0.0, 0.0, 0.0 };
+  for (std::size_t k = 2; k < points.size(); ++k)
+  {
+    area = area + areaOf({ points[0], points[k - 1], points[k] });
+  }
+  const Vec3 normal = unit(area);
+  Vec3 moment = { 0.0, 0.0, 0.0 };
+  double sum = 0.0;
+  for (std::size_t k = 2; k < points.size(); ++k)
+  {
+    const double weight = dot(normal, areaOf({ points[0], points[k - 1], points[k] }));
+    sum += weight;
+    // Relative to the first point: far from the origin products would lose what they differ by.
+    moment = moment + (weight / 3.0) * ((points[k - 1] - points[0]) + (points[k] - points[0]));
+  }
+  return { sum > 0.0 ? points[0] + (1.0 / sum) * moment : points[0], area };
+}
+
+/// A strip bends: its middle triangle stands for it, for the mean of all would lie off the surface.
+Facet stripFacet(const std::vector<Vec3>& points)
+{
+  const std::size_t k = (points.size() - 3) / 2;
+  const std::size_t flip = k % 2;
+  return polygonFacet({ points[k], points[k + 1 + flip], points[k + 2 - flip] });
+}
+
+/// The surface of one leaf, and what its cells and points are.
+class Leaf
+{
+public:
+  Leaf(vtkDataSet* data, int compositeIndex)
+    : data_(data)
+    , selection_(filters::selectCells(data))
+    , surface_(filters::extractSurface(data, selection_))
+    , compositeIndex_(compositeIndex)
+  {
+  }
+
+  void addCells(RaySources& sources) const
+  {
+    vtkDataArray* const given = this->data_->GetCellData()->GetNormals();
+    this->eachCell(
+      [&](vtkIdType index, vtkIdList*, const std::vector<Vec3>& points, bool strip)
+      {
+        const vtkIdType id = this->cellId(index);
+        if (this->selection_[id] != filters::CellState::Occludes)
+        {
+          return;
+        }
+        const Facet facet = strip ? stripFacet(points) : polygonFacet(points);
+        const bool ownNormal = given && this->isFlat(id);
+        this->add(sources, facet.centre, ownNormal ? tuple(given, id) : facet.area, id, index);
+      });
+  }
+
+  void addPoints(RaySources& sources) const
+  {
+    vtkDataArray* const given = this->data_->GetPointData()->GetNormals();
+    vtkUnsignedCharArray* const ghosts = this->data_->GetPointGhostArray();
+    const std::vector<Vec3> sums = given ? std::vector<Vec3>() : this->pointAreas();
+    constexpr int left = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+    for (vtkIdType i = 0; i < this->surface_.polygons->GetNumberOfPoints(); ++i)
+    {
+      const vtkIdType id = this->surface_.pointIds ? this->surface_.pointIds->GetValue(i) : i;
+      // Without an id it is a point that subdividing a curved face has made.
+      if (id >= 0 && !(ghosts && (ghosts->GetValue(id) & left) != 0))
+      {
+        const Vec3 normal = given ? tuple(given, id) : sums[static_cast<std::size_t>(i)];
+        this->add(sources, this->point(i), normal, id, i);
+      }
+    }
+  }
+
+private:
+  static Vec3 tuple(vtkDataArray* normals, vtkIdType i)
+  {
+    Vec3 n;
+    normals->GetTuple(i, n.data());
+    return n;
+  }
+
+  Vec3 point(vtkIdType i) const
+  {
+    Vec3 p;
+    this->surface_.polygons->GetPoint(i, p.data());
+    return p;
+  }
+
+  vtkIdType cellId(vtkIdType index) const
+  {
+    return this->surface_.cellIds ? this->surface_.cellIds->GetValue(index) : index;
+  }
+
+  /// Of a solid cell a normal in the cell data cannot be that of each of its faces.
+  bool isFlat(vtkIdType id) const
+  {
+    return !this->surface_.cellIds || this->data_->GetCell(id)->GetCellDimension() < 3;
+  }
+
+  void add(RaySources& sources, const Vec3& position, const Vec3& normal, vtkIdType id,
+    vtkIdType index) const
+  {
+    const Vec3 n = unit(normal);
+    if (filters::isZero(n) || !isFinite(position))
+    {
+      ++sources.withoutNormal;
+      return;
+    }
+    sources.list.push_back({ position, n, id, index, this->compositeIndex_ });
+  }
+
+  /// Calls body(index, ids, points, whether it is a strip) for polygons and strips of three points
+  /// or more.
+  template <class Body>
+  void eachCell(const Body& body) const
+  {
+    vtkPolyData* const polygons = this->surface_.polygons;
+    vtkIdType index = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
+    vtkNew<vtkIdList> ids;
+    std::vector<Vec3> points;
+    for (vtkCellArray* cells : { polygons->GetPolys(), polygons->GetStrips() })
+    {
+      for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++index)
+      {
+        cells->GetCellAtId(i, ids);
+        points.clear();
+        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+        {
+          points.push_back(this->point(ids->GetId(k)));
+        }
+        if (points.size() >= 3)
+        {
+          body(index, ids.Get(), points, cells == polygons->GetStrips());
+        }
+      }
+    }
+  }
+
+  /// For each point the sum of its cells' areas along their normals, which is the area-weighted
+  /// mean but for its length. Duplicate cells count: they make the mean at a piece's border that of
+  /// the whole.
+  std::vector<Vec3> pointAreas() const
+  {
+    std::vector<Vec3> sums(static_cast<std::size_t>(this->surface_.polygons->GetNumberOfPoints()));
+    const auto addTo = [&](vtkIdType i, const Vec3& area)
+    {
+      Vec3& sum = sums[static_cast<std::size_t>(i)];
+      sum = sum + area;
+    };
+    this->eachCell(
+      [&](vtkIdType index, vtkIdList* ids, const std::vector<Vec3>& p, bool strip)
+      {
+        if (this->selection_[this->cellId(index)] == filters::CellState::Hidden)
+        {
+          return;
+        }
+        if (!strip)
+        {
+          const Vec3 area = polygonFacet(p).area;
+          for (vtkIdType k = 0; isFinite(area) && k < ids->GetNumberOfIds(); ++k)
+          {
+            addTo(ids->GetId(k), area);
+          }
+          return;
+        }
+        for (std::size_t k = 0; k + 2 < p.size(); ++k)
+        {
+          const std::size_t flip = k % 2;
+          const Vec3 area = areaOf({ p[k], p[k + 1 + flip], p[k + 2 - flip] });
+          for (std::size_t corner = k; isFinite(area) && corner < k + 3; ++corner)
+          {
+            addTo(ids->GetId(static_cast<vtkIdType>(corner)), area);
+          }
+        }
+      });
+    return sums;
+  }
+
+  vtkDataSet* data_;
+  filters::CellSelection selection_;
+  filters::ExtractedSurface surface_;
+  int compositeIndex_;
+};
+
+}
+
+namespace lumitree::filters
+{
+
+RaySources collectRaySources(vtkDataObject* object, bool points)
+{
+  RaySources result;
+  const auto add = [&](vtkDataObject* leafObject, int compositeIndex)
+  {
+    auto* data = vtkDataSet::SafeDownCast(leafObject);
+    if (!data)
+    {
+      ++result.notDatasets;
+      return;
+    }
+    const Leaf leaf(data, compositeIndex);
+    points ? leaf.addPoints(result) : leaf.addCells(result);
+  };
+
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> leaves;
+    leaves.TakeReference(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      add(leaves->GetCurrentDataObject(), static_cast<int>(leaves->GetCurrentFlatIndex()));
+    }
+  }
+  else
+  {
+    add(object, 0);
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkLumiLight
+ * @brief What all sources of light have in common: a name, a system of units, and the schema.
+ *
+ * The output is a vtkPolyData that draws the light; what the light is stands in its field data, as
+ * Docs/lights.md says. On the ranks of a parallel run piece 0 is the light and the others are
+ * empty, without points and field data; the filters that compute with lights gather them.
+ *
+ * Properties that make no light (a value that is not finite, a negative flux, a direction of zero)
+ * are one error, and the output is empty.
+ *
+ * @sa vtkLumiPointLight vtkLumiDirectionalLight vtkLumiIrradiance
+ */
+#ifndef vtkLumiLight_h
+#define vtkLumiLight_h
+
+#include "LumitreeFiltersSourcesModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for Problem
+
+class LUMITREEFILTERSSOURCES_EXPORT vtkLumiLight : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkLumiLight, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Which units the light is measured in. All lights of one computation are of one system.
+   */
+  enum LightSystem
+  {
+    Radiometric = 0, ///< W, W/m^2
+    Photometric = 1  ///< lm, lx
+  };
+
+  ///@{
+  /**
+   * One of LightSystem. Default Radiometric.
+   */
+  vtkSetClampMacro(System, int, Radiometric, Photometric);
+  vtkGetMacro(System, int);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the light, used for the arrays of single lights. Null or empty: the type of the light,
+   * which is the default.
+   */
+  vtkSetStringMacro(Name);
+  vtkGetStringMacro(Name);
+  ///@}
+
+protected:
+  vtkLumiLight();
+  ~vtkLumiLight() override;
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+
+  /// The light's type, as Docs/lights.md spells it.
+  virtual const char* Type() const = 0;
+
+  /// What is wrong with the properties; empty when nothing is.
+  virtual std::string Problem() const = 0;
+
+  /// Adds the geometry and the field arrays of this type to an empty output; there is no problem.
+  virtual void Fill(vtkPolyData* output) const = 0;
+
+  /// Adds the field array `quantity [unit]` of one value.
+  static void AddQuantity(
+    vtkPolyData* output, const char* quantity, const char* unit, double value);
+
+  int System = Radiometric;
+  char* Name = nullptr;
+
+private:
+  vtkLumiLight(const vtkLumiLight&) = delete;
+  void operator=(const vtkLumiLight&) = delete;
+};
+
+#endif
