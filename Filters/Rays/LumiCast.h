@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Filters_Rays_LumiCast_h
+#define Lumitree_Filters_Rays_LumiCast_h
+
+#include "Accel/Accelerator.h"
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace lumitree::filters
+{
+
+/// Memory for n values that are all written before any is read: unlike a vector it is not touched
+/// when made, so that the threads that fill it are the first to.
+template <class T>
+class Buffer
+{
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+public:
+  explicit Buffer(std::size_t n)
+    : size_(n)
+    , values_(n > 0 ? std::allocator<T>().allocate(n) : nullptr)
+  {
+  }
+  ~Buffer()
+  {
+    if (this->values_)
+    {
+      std::allocator<T>().deallocate(this->values_, this->size_);
+    }
+  }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  [[nodiscard]] T* data() const { return this->values_; }
+  T& operator[](std::size_t i) const { return this->values_[i]; }
+
+private:
+  std::size_t size_;
+  T* values_;
+};
+
+/// What a batch of rays met, in one form for all four queries.
+class Cast
+{
+public:
+  /// Asks the accelerator; throws what it throws.
+  Cast(QueryKind query, const Accelerator& accelerator, const RayBatch& rays,
+    const QueryOptions& options);
+
+  [[nodiscard]] std::size_t size() const { return this->size_; }
+  [[nodiscard]] const QueryReport& report() const { return this->report_; }
+
+  /// Whether the hits themselves are known: of Closest and All.
+  [[nodiscard]] bool givesHits() const
+  {
+    return this->query_ == QueryKind::Closest || this->query_ == QueryKind::All;
+  }
+
+  /// How many hits that ray has; of Closest and Any 0 or 1.
+  [[nodiscard]] vtkIdType count(std::size_t ray) const;
+
+  /// The count(ray) hits of that ray, nearest first. Only when givesHits().
+  [[nodiscard]] const Hit* hits(std::size_t ray) const
+  {
+    return this->query_ == QueryKind::Closest ? &this->nearest_[ray]
+                                              : this->all_.hits.data() + this->all_.offsets[ray];
+  }
+
+private:
+  QueryKind query_;
+  std::size_t size_;
+  QueryReport report_;
+  Buffer<Hit> nearest_;
+  Buffer<std::uint8_t> any_;
+  Buffer<std::uint32_t> counts_;
+  AllHits all_;
+};
+
+} // namespace lumitree::filters
+
+#endif

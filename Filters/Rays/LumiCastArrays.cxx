@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumiCastArrays.h"
+
+#include "LumiArrays.h"
+
+#include "Accel/Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace lumitree::filters
+{
+
+namespace
+{
+
+constexpr std::size_t chunk = 8192;
+
+/// Unit normal of a triangle by its winding. Edges are scaled first, so that the squares of very
+/// small and very large ones are still numbers.
+Vec3 unitNormal(const std::array<Vec3, 3>& v)
+{
+  Vec3 a = v[1] - v[0];
+  Vec3 b = v[2] - v[0];
+  for (Vec3* edge : { &a, &b })
+  {
+    const double largest =
+      std::max({ std::fabs((*edge)[0]), std::fabs((*edge)[1]), std::fabs((*edge)[2]) });
+    for (double& x : *edge)
+    {
+      x /= largest;
+    }
+  }
+  const Vec3 n = cross(a, b);
+  const double l = length(n);
+  return { n[0] / l, n[1] / l, n[2] / l };
+}
+
+void makeVertices(vtkIdType count, int threads, vtkPolyData* hits)
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  offsets->SetNumberOfValues(count + 1);
+  connectivity->SetNumberOfValues(count);
+  vtkIdType* first = offsets->GetPointer(0);
+  vtkIdType* point = connectivity->GetPointer(0);
+  parallelFor(static_cast<std::size_t>(count), chunk, threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        first[i] = point[i] = static_cast<vtkIdType>(i);
+      }
+    });
+  first[count] = count;
+  vtkNew<vtkCellArray> vertices;
+  vertices->SetData(offsets, connectivity);
+  hits->SetVerts(vertices);
+}
+
+void addCounters(
+  const RayCounters* counters, vtkIdType rays, int threads, vtkDataSetAttributes* data)
+{
+  int* nodes = addArray<vtkIntArray>(data, "NodesEntered", rays);
+  int* cells = addArray<vtkIntArray>(data, "CellsStepped", rays);
+  int* leaves = addArray<vtkIntArray>(data, "LeavesVisited", rays);
+  int* primitives = addArray<vtkIntArray>(data, "PrimitivesTested", rays);
+  parallelFor(static_cast<std::size_t>(rays), chunk, threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        nodes[i] = static_cast<int>(counters[i].nodes);
+        cells[i] = static_cast<int>(counters[i].cells);
+        leaves[i] = static_cast<int>(counters[i].leaves);
+        primitives[i] = static_cast<int>(counters[i].primitives);
+      }
+    });
+}
+
+} // namespace
+
+HitLayout::HitLayout(const Cast& cast, int threads)
+{
+  const std::size_t rays = cast.size();
+  this->offsets->SetName("HitOffset");
+  this->offsets->SetNumberOfValues(static_cast<vtkIdType>(rays));
+  vtkIdType* offset = this->offsets->GetPointer(0);
+
+  // Count per chunk, sum the few chunks, fill: the places do not depend on who filled what when.
+  std::vector<vtkIdType> firsts((rays + chunk - 1) / chunk);
+  parallelFor(rays, chunk, threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
+    {
+      vtkIdType sum = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        sum += cast.count(i);
+      }
+      firsts[begin / chunk] = sum;
+    });
+  for (vtkIdType& first : firsts)
+  {
+    const vtkIdType count = first;
+    first = this->total;
+    this->total += count;
+  }
+  parallelFor(rays, chunk, threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
+    {
+      vtkIdType next = firsts[begin / chunk];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        offset[i] = next;
+        next += cast.count(i);
+      }
+    });
+}
+
+void addRayArrays(const Cast& cast, const HitLayout* layout, const SurfaceInput& surface,
+  const RayCounters* counters, int threads, vtkDataSetAttributes* data)
+{
+  const std::size_t rays = cast.size();
+  const auto tuples = static_cast<vtkIdType>(rays);
+
+  unsigned char* mask = addArray<vtkUnsignedCharArray>(data, "HitMask", tuples);
+  vtkIdType* count = addArray<vtkIdTypeArray>(data, "HitCount", tuples);
+  parallelFor(rays, chunk, threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        count[i] = cast.count(i);
+        mask[i] = count[i] > 0 ? 1 : 0;
+      }
+    });
+  if (layout)
+  {
+    data->AddArray(layout->offsets);
+    double* t = addArray<vtkDoubleArray>(data, "T", tuples);
+    vtkIdType* cell = addArray<vtkIdTypeArray>(data, "CellId", tuples);
+    int* composite = addArray<vtkIntArray>(data, "CompositeIndex", tuples);
+    parallelFor(rays, chunk, threads, nullptr,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const bool hit = count[i] > 0;
+          const SourceCell source =
+            hit ? surface.surface->source(cast.hits(i)->primitive) : SourceCell{ -1, -1 };
+          t[i] = hit ? cast.hits(i)->t : std::numeric_limits<double>::infinity();
+          cell[i] = static_cast<vtkIdType>(source.cell);
+          composite[i] = static_cast<int>(source.composite);
+        }
+      });
+  }
+  if (counters)
+  {
+    addCounters(counters, tuples, threads, data);
+  }
+}
+
+void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
+  const SurfaceInput& input, const HitOptions& options, PrimitiveId* primitives, vtkPolyData* hits)
+{
+  const Surface& surface = *input.surface;
+  const vtkIdType total = layout.total;
+  const vtkIdType* offset = layout.offsets->GetPointer(0);
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(options.doublePoints ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(total);
+  double* doubles =
+    options.doublePoints ? vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0) : nullptr;
+  float* floats =
+    options.doublePoints ? nullptr : vtkFloatArray::FastDownCast(points->GetData())->GetPointer(0);
+  hits->SetPoints(points);
+  makeVertices(total, options.threads, hits);
+
+  vtkDataSetAttributes* data = hits->GetPointData();
+  vtkIdType* rayId = addArray<vtkIdTypeArray>(data, "RayId", total);
+  double* t = addArray<vtkDoubleArray>(data, "T", total);
+  vtkIdType* cell = addArray<vtkIdTypeArray>(data, "CellId", total);
+  int* composite = addArray<vtkIntArray>(data, "CompositeIndex", total);
+  int* process = options.processIds ? addArray<vtkIntArray>(data, "ProcessId", total) : nullptr;
+  double* uv = addArray<vtkDoubleArray>(data, "UV", total, 2);
+  double* normal = addArray<vtkDoubleArray>(data, "Normals", total, 3);
+
+  const auto place = [&](const Ray& ray, const Hit& hit, vtkIdType i)
+  {
+    const SourceCell source = surface.source(hit.primitive);
+    const Vec3 n = unitNormal(surface.vertices(hit.primitive));
+    const Vec3 p = ray.origin + hit.t * ray.direction;
+    primitives[i] = hit.primitive;
+    t[i] = hit.t;
+    cell[i] = static_cast<vtkIdType>(source.cell);
+    composite[i] = static_cast<int>(source.composite);
+    uv[2 * i] = hit.u;
+    uv[2 * i + 1] = hit.v;
+    if (process)
+    {
+      process[i] = input.leaves[input.leafOf(hit.primitive)].process;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      normal[3 * i + k] = n[k];
+      if (doubles)
+      {
+        doubles[3 * i + k] = p[k];
+      }
+      else
+      {
+        floats[3 * i + k] = static_cast<float>(p[k]);
+      }
+    }
+  };
+  parallelFor(cast.size(), chunk, options.threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t r = begin; r < end; ++r)
+      {
+        const vtkIdType count = cast.count(r);
+        for (vtkIdType h = 0; h < count; ++h)
+        {
+          const vtkIdType i = offset[r] + h;
+          rayId[i] = static_cast<vtkIdType>(r);
+          place(rays[r], cast.hits(r)[h], i);
+        }
+      }
+    });
+  data->SetActiveScalars("T");
+  data->SetActiveNormals("Normals");
+}
+
+} // namespace lumitree::filters

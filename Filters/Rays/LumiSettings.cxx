@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumiSettings.h"
+
+#include "LumiReport.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+
+#include <string>
+
+namespace lumitree::filters
+{
+
+namespace
+{
+
+/// The name of the array chosen with SetInputArrayToProcess(0, …), by name or as an attribute (the
+/// vectors, say); "" when none is.
+std::string directionArray(vtkAlgorithm* filter, vtkDataSet* rays)
+{
+  vtkInformation* chosen = filter->GetInputArrayInformation(0);
+  if (const char* name = chosen->Get(vtkDataObject::FIELD_NAME()))
+  {
+    return name;
+  }
+  vtkAbstractArray* array = chosen->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE())
+    ? rays->GetPointData()->GetAbstractAttribute(chosen->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+    : nullptr;
+  return array && array->GetName() ? array->GetName() : "";
+}
+
+} // namespace
+
+BuildOptions buildOptions(vtkLumiRayAlgorithm* filter)
+{
+  BuildOptions options;
+  options.structure = static_cast<Structure>(filter->GetStructure());
+  options.bvhBuild = static_cast<BvhBuild>(filter->GetBvhBuild());
+  options.leafSize = filter->GetLeafSize();
+  return options;
+}
+
+QueryOptions queryOptions(vtkLumiRayAlgorithm* filter, Job& job)
+{
+  QueryOptions options;
+  options.precision = static_cast<Precision>(filter->GetPrecision());
+  options.threads = threadsFor(filter->GetNumberOfThreads());
+  options.control = job.control();
+  return options;
+}
+
+bool readRays(vtkLumiRayAlgorithm* filter, vtkDataObject* input, RayInput& rays)
+{
+  auto* dataset = vtkDataSet::SafeDownCast(input);
+  if (!dataset)
+  {
+    reportError(
+      filter, "The rays must be one dataset, not a composite of several: merge its blocks first.");
+    return false;
+  }
+  const std::string directions = directionArray(filter, dataset);
+  return readRays(dataset, directions.c_str(), filter->GetTMin(), filter->GetTMax(), rays, filter);
+}
+
+void warnOfInvalidRays(vtkLumiRayAlgorithm* filter, const QueryReport& report, const RayInput& rays)
+{
+  if (report.invalidRays > 0)
+  {
+    reportWarning(filter,
+      std::to_string(report.invalidRays) + " of " + std::to_string(rays.size) +
+        " rays cannot be traced and hit nothing (a coordinate that is not finite, direction zero, "
+        "or "
+        "t_min > t_max).");
+  }
+}
+
+} // namespace lumitree::filters

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Filters_Rays_LumiSettings_h
+#define Lumitree_Filters_Rays_LumiSettings_h
+
+#include "LumiJob.h"
+#include "LumiRayInput.h"
+#include "vtkLumiRayAlgorithm.h"
+
+#include "Accel/BuildOptions.h"
+#include "Accel/Query.h"
+
+#include "vtkDataSet.h"
+
+namespace lumitree::filters
+{
+
+/// What the filter's properties ask of the cores.
+///@{
+BuildOptions buildOptions(vtkLumiRayAlgorithm* filter);
+QueryOptions queryOptions(vtkLumiRayAlgorithm* filter, Job& job);
+///@}
+
+/// Reads the rays of the filter's input port 1. False after one vtkErrorMacro.
+bool readRays(vtkLumiRayAlgorithm* filter, vtkDataObject* input, RayInput& rays);
+
+/// One warning when some rays could not be traced.
+void warnOfInvalidRays(
+  vtkLumiRayAlgorithm* filter, const QueryReport& report, const RayInput& rays);
+
+} // namespace lumitree::filters
+
+#endif

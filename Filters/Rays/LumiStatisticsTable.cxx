@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumiStatisticsTable.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+#include <cstdint>
+#include <string>
+
+namespace lumitree::filters
+{
+
+namespace
+{
+
+/// A table of one row, or of none, a column at a time.
+class Row
+{
+public:
+  Row(vtkTable* table, bool present)
+    : table_(table)
+    , present_(present)
+  {
+  }
+
+  void add(const char* name, std::string_view value)
+  {
+    this->addColumn<vtkStringArray>(name, std::string(value));
+  }
+  void add(const char* name, std::uint64_t value)
+  {
+    this->addColumn<vtkIdTypeArray>(name, static_cast<vtkIdType>(value));
+  }
+  void add(const char* name, double value) { this->addColumn<vtkDoubleArray>(name, value); }
+
+private:
+  template <class Array, class Value>
+  void addColumn(const char* name, const Value& value)
+  {
+    vtkNew<Array> column;
+    column->SetName(name);
+    if (this->present_)
+    {
+      column->InsertNextValue(value);
+    }
+    this->table_->AddColumn(column);
+  }
+
+  vtkTable* table_;
+  bool present_;
+};
+
+} // namespace
+
+void makeStatisticsTable(
+  const Accelerator& accelerator, const Visits& visits, bool withRow, vtkTable* table)
+{
+  const Surface& surface = accelerator.surface();
+  const BuildOptions& options = accelerator.options();
+  const BuildStatistics& built = accelerator.statistics();
+
+  Row row(table, withRow);
+  row.add("Structure", name(options.structure));
+  row.add("BvhBuild", name(options.bvhBuild));
+  row.add("Primitives", std::uint64_t{ surface.size() });
+  row.add("SkippedNonFinite", std::uint64_t{ surface.nonFiniteCount() });
+  row.add("SkippedZeroArea", std::uint64_t{ surface.zeroAreaCount() });
+  row.add("Nodes", std::uint64_t{ built.nodes });
+  row.add("Leaves", std::uint64_t{ built.leaves });
+  row.add("Depth", static_cast<std::uint64_t>(built.depth));
+  row.add("References", std::uint64_t{ built.references });
+  row.add("SahCost", built.sahCost);
+  row.add("Duplication", built.duplication);
+  row.add("MemoryBytes", std::uint64_t{ built.memory });
+  row.add("BuildSeconds", built.buildSeconds);
+  row.add("Rays", visits.rays);
+  row.add("RayNodesEntered", visits.nodesEntered);
+  row.add("RayPrimitivesTested", visits.primitivesTested);
+}
+
+} // namespace lumitree::filters

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLumiRayCast.h"
+
+#include "LumiCache.h"
+#include "LumiCast.h"
+#include "LumiCastArrays.h"
+#include "LumiGather.h"
+#include "LumiPorts.h"
+#include "LumiRaysOutput.h"
+#include "LumiSettings.h"
+#include "LumiSurfaceData.h"
+
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <optional>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace filters = lumitree::filters;
+
+struct vtkLumiRayCast::Internals
+{
+  std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
+
+  /// Casts the rays over the tree and fills both outputs. Throws what the accelerator throws.
+  static void Cast(vtkLumiRayCast* self, const filters::RayInput& rays, vtkDataSet* raysInput,
+    vtkPolyData* hitsOutput, vtkDataSet* raysOutput);
+
+  /// Fills the output of a cast that gives hits.
+  static void MakeHits(vtkLumiRayCast* self, const filters::RayInput& rays,
+    const filters::Cast& cast, const filters::HitLayout& layout, vtkPolyData* hits);
+};
+
+vtkStandardNewMacro(vtkLumiRayCast);
+
+vtkLumiRayCast::vtkLumiRayCast()
+  : Impl(new Internals)
+{
+}
+
+vtkLumiRayCast::~vtkLumiRayCast() = default;
+
+void vtkLumiRayCast::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PassSurfaceData: " << (this->PassSurfaceData ? "on" : "off") << "\n";
+  os << indent << "CountTraversal: " << (this->CountTraversal ? "on" : "off") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}
+
+int vtkLumiRayCast::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkDataObject");
+  return 1;
+}
+
+int vtkLumiRayCast::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!vtkPolyData::GetData(outputs, 0))
+  {
+    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+  }
+  return filters::makeOutputLike(
+    vtkDataObject::GetData(inputs[1], 0), outputs->GetInformationObject(1));
+}
+
+int vtkLumiRayCast::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // First what all ranks do together, so that a rank whose rays are wrong keeps no other waiting.
+  this->Impl->Tree = filters::treeFor(vtkDataObject::GetData(inputs[0], 0),
+    filters::buildOptions(this), this->GetController(), this,
+    this->PassSurfaceData ? filters::GatherArrays::Yes : filters::GatherArrays::No);
+
+  filters::RayInput rays;
+  vtkDataObject* raysInput = vtkDataObject::GetData(inputs[1], 0);
+  if (!this->Impl->Tree || !filters::readRays(this, raysInput, rays))
+  {
+    return 1; // reported; returning 0 would make VTK report it a second time
+  }
+  try
+  {
+    Internals::Cast(this, rays, vtkDataSet::SafeDownCast(raysInput),
+      vtkPolyData::GetData(outputs, 0), vtkDataSet::GetData(outputs, 1));
+  }
+  catch (const std::exception& problem)
+  {
+    vtkErrorMacro(<< problem.what());
+  }
+  return 1;
+}
+
+void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInput& rays,
+  vtkDataSet* raysInput, vtkPolyData* hitsOutput, vtkDataSet* raysOutput)
+{
+  const filters::Tree& tree = *self->Impl->Tree;
+  const filters::Buffer<lumitree::RayCounters> counters(self->CountTraversal ? rays.batch.size : 0);
+  filters::Job job(self, 0.1, 0.9);
+  lumitree::QueryOptions options = filters::queryOptions(self, job);
+  options.perRay = counters.data();
+  const filters::Cast cast(
+    static_cast<lumitree::QueryKind>(self->GetQuery()), *tree.accelerator, rays.batch, options);
+  filters::warnOfInvalidRays(self, cast.report(), rays);
+
+  // When the user stopped the cast, the rays that were not reached are misses. What follows is
+  // short and runs to its end, so that both outputs are whole.
+  std::optional<filters::HitLayout> layout;
+  if (cast.givesHits())
+  {
+    layout.emplace(cast, options.threads);
+    MakeHits(self, rays, cast, *layout, hitsOutput);
+  }
+  vtkDataSetAttributes* data = filters::makeRaysOutput(raysInput, rays, raysOutput);
+  filters::addRayArrays(
+    cast, layout ? &*layout : nullptr, *tree.input, counters.data(), options.threads, data);
+}
+
+void vtkLumiRayCast::Internals::MakeHits(vtkLumiRayCast* self, const filters::RayInput& rays,
+  const filters::Cast& cast, const filters::HitLayout& layout, vtkPolyData* hits)
+{
+  const filters::SurfaceInput& surface = *self->Impl->Tree->input;
+  const bool anyDouble =
+    rays.doublePoints || surface.surface->scalar() == lumitree::ArrayView::Scalar::Double;
+  filters::HitOptions options;
+  options.doublePoints = self->OutputPointsPrecision == DEFAULT_PRECISION
+    ? anyDouble
+    : self->OutputPointsPrecision == DOUBLE_PRECISION;
+  options.processIds = filters::isDistributed(self->GetController());
+  options.threads = filters::threadsFor(self->GetNumberOfThreads());
+  const filters::Buffer<lumitree::PrimitiveId> primitives(static_cast<std::size_t>(layout.total));
+  filters::makeHits(cast, layout, rays.batch, surface, options, primitives.data(), hits);
+  if (self->PassSurfaceData)
+  {
+    filters::addSurfaceData(surface, primitives.data(), options.threads, hits);
+  }
+}
+
+VTK_ABI_NAMESPACE_END
