@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LumiLightReader_h
+#define LumiLightReader_h
+
+#include "Radiometry/Quantities.h"
+#include "Radiometry/Source.h"
+#include "vtkLumiABI.h"
+
+#include <memory>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+namespace lumitree::filters
+{
+
+/// A light as the cores know it.
+struct Light
+{
+  std::string name;
+  LightSystem system = LightSystem::Radiometric;
+  std::unique_ptr<const Source> source;
+};
+
+/// The version of Docs/lights.md that this build reads.
+inline constexpr int lightSchemaVersion = 1;
+
+/// Whether a dataset is a light at all: it says what it is, or it has geometry. What has neither is
+/// a piece of a light that lives on another rank.
+[[nodiscard]] bool mayBeLight(vtkPolyData* data);
+
+/// Reads one light by the schema of Docs/lights.md. Throws std::runtime_error that says what is
+/// wrong, without naming the light.
+[[nodiscard]] Light readLight(vtkPolyData* data, double metresPerUnit);
+
+} // namespace lumitree::filters
+#endif

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLumiIrradiance.h"
+
+#include "LumiIllumination.h"
+#include "LumiJob.h"
+#include "LumiUnits.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+
+#include <exception>
+
+VTK_ABI_NAMESPACE_BEGIN
+
+namespace filters = lumitree::filters;
+
+namespace
+{
+
+/// A dataset to be lit: a shallow copy of the receivers, already in the output.
+struct Leaf
+{
+  vtkSmartPointer<vtkDataSet> Data;
+  std::int64_t CompositeIndex = 0;
+};
+
+/// Copies the receivers to the output, all but their values, and lists their datasets.
+std::vector<Leaf> CopyReceivers(vtkDataObject* input, vtkDataObject* output)
+{
+  std::vector<Leaf> leaves;
+  auto* from = vtkCompositeDataSet::SafeDownCast(input);
+  if (!from)
+  {
+    output->ShallowCopy(input);
+    leaves.push_back({ vtkDataSet::SafeDownCast(output), 0 });
+    return leaves;
+  }
+  auto* to = vtkCompositeDataSet::SafeDownCast(output);
+  to->CopyStructure(from);
+  to->GetFieldData()->PassData(from->GetFieldData());
+  const auto iterator = vtk::TakeSmartPointer(from->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* object = iterator->GetCurrentDataObject();
+    const auto copy = vtk::TakeSmartPointer(object->NewInstance());
+    copy->ShallowCopy(object);
+    to->SetDataSet(iterator, copy);
+    if (auto* data = vtkDataSet::SafeDownCast(copy))
+    {
+      leaves.push_back({ data, static_cast<std::int64_t>(iterator->GetCurrentFlatIndex()) });
+    }
+  }
+  return leaves;
+}
+
+} // namespace
+
+struct vtkLumiIrradiance::Internals
+{
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
+
+  /// What the properties and the inputs other than the receivers say. Collective. Throws what is to
+  /// be reported; false when it was reported already.
+  bool Prepare(vtkLumiIrradiance* self, vtkInformationVector** inputs, filters::Illumination& light)
+  {
+    light.lights =
+      filters::readLights(inputs[2], filters::metresPerUnit(self->LengthUnit), this->Controller);
+    light.location = static_cast<filters::ReceiverLocation>(self->ReceiverLocation);
+    light.precision = static_cast<lumitree::Precision>(self->Precision);
+    light.perLight = self->PerLightArrays;
+    light.threads = filters::threadsFor(self->NumberOfThreads);
+    if (self->Shadows)
+    {
+      lumitree::BuildOptions options;
+      options.structure = static_cast<lumitree::Structure>(self->Structure);
+      vtkInformationVector* occluders = OccludersAreReceivers(inputs) ? inputs[0] : inputs[1];
+      this->Tree = filters::treeFor(vtkDataObject::GetData(occluders), options, this->Controller,
+        self, filters::GatherArrays::No);
+      light.tree = this->Tree;
+      return light.tree != nullptr;
+    }
+    return true;
+  }
+
+  static bool OccludersAreReceivers(vtkInformationVector** inputs)
+  {
+    return inputs[1]->GetNumberOfInformationObjects() == 0;
+  }
+
+  /// Lights every leaf; false when the user stopped it.
+  bool Illuminate(vtkLumiIrradiance* self, const filters::Illumination& light,
+    const std::vector<Leaf>& leaves, bool shadowsItself)
+  {
+    const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
+    const auto count = static_cast<double>(leaves.size());
+    std::uint64_t receivers = 0;
+    std::uint64_t undefined = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      filters::Job job(self, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      const filters::IlluminationReport report =
+        light.addTo(leaves[i].Data, leaves[i].CompositeIndex, rank, shadowsItself, job.control());
+      if (!report.completed)
+      {
+        return false;
+      }
+      filters::writeLengthUnit(leaves[i].Data, self->LengthUnit);
+      receivers += report.receivers;
+      undefined += report.undefined;
+    }
+    if (undefined > 0)
+    {
+      vtkWarningWithObjectMacro(self,
+        << undefined << " of " << receivers
+        << " receivers have no value (NaN): their normal is not defined, their coordinates are not "
+           "finite, or a point light is where they are.");
+    }
+    return true;
+  }
+};
+
+vtkStandardNewMacro(vtkLumiIrradiance);
+
+vtkLumiIrradiance::vtkLumiIrradiance()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(3);
+  this->Impl->Controller = vtkMultiProcessController::GetGlobalController();
+}
+
+vtkLumiIrradiance::~vtkLumiIrradiance() = default;
+
+void vtkLumiIrradiance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReceiverLocation: " << this->ReceiverLocation << "\n";
+  os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
+  os << indent << "PerLightArrays: " << (this->PerLightArrays ? "on" : "off") << "\n";
+  os << indent << "LengthUnit: " << filters::lengthUnitName(this->LengthUnit) << "\n";
+  os << indent << "Structure: " << this->Structure << "\n";
+  os << indent << "Precision: " << this->Precision << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Controller: " << this->GetController() << "\n";
+}
+
+void vtkLumiIrradiance::SetOccludersConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkLumiIrradiance::SetOccludersData(vtkDataObject* occluders)
+{
+  this->SetInputDataObject(1, occluders);
+}
+
+void vtkLumiIrradiance::AddLightsConnection(vtkAlgorithmOutput* output)
+{
+  this->AddInputConnection(2, output);
+}
+
+void vtkLumiIrradiance::AddLightsData(vtkDataObject* lights)
+{
+  this->AddInputDataObject(2, lights);
+}
+
+void vtkLumiIrradiance::RemoveAllLights()
+{
+  this->RemoveAllInputConnections(2);
+}
+
+void vtkLumiIrradiance::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Impl->Controller != controller)
+  {
+    this->Impl->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkLumiIrradiance::GetController()
+{
+  return this->Impl->Controller;
+}
+
+int vtkLumiIrradiance::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // Composites are named, too: otherwise the pipeline would run this filter block by block, and one
+  // block would not shadow another.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPolyData" : "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 2 ? 1 : 0);
+  return 1;
+}
+
+int vtkLumiIrradiance::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  bool complete = false;
+  try
+  {
+    filters::Illumination light;
+    if (this->Impl->Prepare(this, inputVector, light))
+    {
+      const std::vector<Leaf> leaves =
+        CopyReceivers(vtkDataObject::GetData(inputVector[0]), output);
+      complete =
+        this->Impl->Illuminate(this, light, leaves, Internals::OccludersAreReceivers(inputVector));
+      filters::writeLengthUnit(output, this->LengthUnit);
+    }
+  }
+  catch (const std::exception& problem)
+  {
+    vtkErrorMacro(<< problem.what());
+  }
+  if (!complete)
+  {
+    output->Initialize();
+  }
+  return 1; // what is wrong was reported; returning 0 would make VTK report it a second time
+}
+
+VTK_ABI_NAMESPACE_END
