@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lumitree: rays and light for VTK and ParaView, from numpy and to numpy.
+
+=========================== ===============================================================
+`cast`, `Caster`, `Hits`    rays against a mesh: nearest hits, all hits, counts, occlusion
+`camera_rays`, `rays`       sets of rays as VTK data sets
+`hierarchy`                 the tree over a mesh, as boxes and statistics
+`irradiance`                light on a mesh, with shadows and units
+`point_light`,              lights
+`directional_light`
+`scene`, `read`, `write`    built-in scenes, files
+`lumitree.vtk`              the VTK classes beneath
+=========================== ===============================================================
+
+Meshes are data sets of VTK or PyVista, composites of them, ``(points, triangles)`` of numpy, or
+files' names. What VTK reports as an error is raised as `LumitreeError`; a wrong argument is a
+`ValueError`. ``python3 -m lumitree --help`` tells of the command line.
+"""
+
+from .camera import camera_rays
+from .choices import (
+    BvhBuild,
+    LengthUnit,
+    LightSystem,
+    Precision,
+    Query,
+    ReceiverLocation,
+    Scene,
+    Structure,
+)
+from .errors import LumitreeError, LumitreeWarning
+from .files import read, write
+from .lights import directional_light, point_light
+from .radiometry import Irradiance, irradiance
+from .raycast import Caster, Hits, cast
+from .rayset import rays
+from .scenes import scene
+from .trees import Hierarchy, hierarchy
+
+__all__ = [
+    "BvhBuild",
+    "Caster",
+    "Hierarchy",
+    "Hits",
+    "Irradiance",
+    "LengthUnit",
+    "LightSystem",
+    "LumitreeError",
+    "LumitreeWarning",
+    "Precision",
+    "Query",
+    "ReceiverLocation",
+    "Scene",
+    "Structure",
+    "camera_rays",
+    "cast",
+    "directional_light",
+    "hierarchy",
+    "irradiance",
+    "point_light",
+    "rays",
+    "read",
+    "scene",
+    "write",
+]

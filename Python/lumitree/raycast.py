@@ -1,0 +1,254 @@
+# SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rays against a surface, from numpy and to numpy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
+
+from .arrays import from_vtk, in_range
+from .choices import BvhBuild, Precision, Query, Structure, choose
+from .errors import run
+from .rayset import rays
+from .surfaces import Mesh, as_surface
+from .vtk import vtkLumiRayCast
+
+#: What a walk costs, as counted with ``cost=True``.
+COST_ARRAYS = {
+    "nodes_entered": "NodesEntered",
+    "cells_stepped": "CellsStepped",
+    "leaves_visited": "LeavesVisited",
+    "primitives_tested": "PrimitivesTested",
+}
+
+
+@dataclass(frozen=True)
+class Hits:
+    """What rays met. With n rays, arrays have a row per ray (k = n) for ``closest``, and a row per
+    hit, sorted by ray and then by t, for ``all`` (k = m hits). What a query does not give is None.
+
+    ================= ======== ======= ===== ===================================================
+    attribute         shape    type    miss  given by
+    ================= ======== ======= ===== ===================================================
+    `hit`             (n,)     bool    False every query
+    `count`           (n,)     int64   0     every query; of ``closest`` and ``any`` 0 or 1
+    `t`               (k,)     float64 inf   ``closest``, ``all``; in units of |direction|
+    `cell_id`         (k,)     int64   -1    the same; local to its leaf data set
+    `composite_index` (k,)     int32   -1    the same; flat index of the leaf (0: not composite)
+    `uv`              (k, 2)   float64 nan   the same; barycentric, (1 - u - v) p0 + u p1 + v p2
+    `normal`          (k, 3)   float64 nan   the same; unit length, by the triangle's winding
+    `point`           (k, 3)   float   nan   the same; float64 if the rays or the mesh are
+    `ray_id`          (m,)     int64         ``all``: the ray of each hit
+    `offsets`         (n + 1,) int64         ``all``: ray i has hits offsets[i]:offsets[i + 1]
+    `cost`            (n,)     int32         ``cost=True``: a dict, see `COST_ARRAYS`
+    ================= ======== ======= ===== ===================================================
+
+    `rays` and `hits` are the same as VTK data sets: the rays with their results as arrays, and a
+    point for every hit. Arrays share memory with them.
+    """
+
+    hit: np.ndarray
+    count: np.ndarray
+    rays: vtkDataSet
+    hits: vtkPolyData
+    t: np.ndarray | None = None
+    cell_id: np.ndarray | None = None
+    composite_index: np.ndarray | None = None
+    uv: np.ndarray | None = None
+    normal: np.ndarray | None = None
+    point: np.ndarray | None = None
+    ray_id: np.ndarray | None = None
+    offsets: np.ndarray | None = None
+    cost: dict[str, np.ndarray] | None = None
+
+
+class Caster:
+    """Casts rays at one mesh, again and again: what is built over the mesh is built once.
+
+    mesh : a vtkDataSet or a composite of them, ``(points, triangles)``, or a file's name, see
+        `as_surface`. numpy arrays are shared, not copied: do not change them while this is in use.
+    structure : ``"auto"``, ``"brute_force"``, ``"bvh"``, ``"wide_bvh"``, ``"grid"``, ``"octree"``,
+        ``"kd_tree"``, ``"bsp_tree"``, ``"embree"`` or ``"cgal"``. One that this build lacks is an
+        error.
+    precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``.
+    bvh_build : ``"binned_sah"`` or ``"longest_axis_median"``.
+    leaf_size : a BVH's nodes with more primitives than this are split; 1 to 1024.
+    threads : 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may use.
+        Results do not depend on it.
+
+    Raises ValueError for wrong names, types and shapes. Over several MPI ranks, with a global VTK
+    controller, the mesh is the union of the ranks' meshes, and every rank has to cast.
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        *,
+        structure: Structure | str = "auto",
+        precision: Precision | str = "fast",
+        bvh_build: BvhBuild | str = "binned_sah",
+        leaf_size: int = 4,
+        threads: int = 0,
+    ) -> None:
+        self._filter = vtkLumiRayCast()
+        self._filter.SetStructure(choose(Structure, structure, "structure"))
+        self._filter.SetPrecision(choose(Precision, precision, "precision"))
+        self._filter.SetBvhBuild(choose(BvhBuild, bvh_build, "bvh_build"))
+        self._filter.SetLeafSize(in_range(leaf_size, 1, 1024, "leaf_size"))
+        self._filter.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+        self.mesh = mesh
+
+    @property
+    def mesh(self) -> vtkDataObject:
+        """The mesh that rays are cast at, as a VTK object. It may be set to another one."""
+        return self._mesh
+
+    @mesh.setter
+    def mesh(self, mesh: Mesh) -> None:
+        self._mesh = as_surface(mesh)
+        self._filter.SetInputDataObject(0, self._mesh)
+
+    def cast(
+        self,
+        origins: ArrayLike | vtkDataSet,
+        directions: ArrayLike | None = None,
+        t_min: ArrayLike = 0.0,
+        t_max: ArrayLike = np.inf,
+        query: Query | str = "closest",
+        *,
+        cost: bool = False,
+        progress: Callable[[float], None] | None = None,
+    ) -> Hits:
+        """Casts rays.
+
+        origins, directions : (n, 3) or (3,); a single one goes with all of the other. float32 and
+            float64 are used as they are. Directions have any length but 0 and are not normalised: a
+            hit is at origin + t * direction. Or `origins` alone, a vtkDataSet of rays, such as of
+            `camera_rays`.
+        t_min, t_max : closed limits of t; a number, or (n,) for a limit per ray. In a data set of
+            rays, ``RayTMin`` and ``RayTMax`` come first.
+        query : ``"closest"``, ``"any"`` (is anything hit), ``"all"`` (every hit) or ``"count"``
+            (how many).
+        cost : also count what each ray's walk costs. Slower.
+        progress : called with the part that is done, from 0 to 1.
+
+        Raises ValueError for wrong shapes, types and names; LumitreeError for what the filter
+        refuses. Rays that cannot be traced (a coordinate not finite, direction 0, t_min > t_max)
+        hit nothing, and a LumitreeWarning counts them.
+        """
+        if isinstance(origins, vtkDataSet):
+            if directions is not None:
+                raise ValueError("origins is a data set of rays, so directions must be left out")
+            ray_set = origins
+            limits = float(t_min), float(t_max)
+        elif directions is None:
+            raise ValueError(
+                "directions are missing (only a vtkDataSet of rays has them in itself)"
+            )
+        else:
+            ray_set = rays(origins, directions, t_min, t_max)
+            limits = tuple(
+                float(limit) if np.ndim(limit) == 0 else default
+                for limit, default in ((t_min, 0.0), (t_max, np.inf))
+            )
+        if not limits[0] <= limits[1]:
+            raise ValueError(
+                f"t_min must not be above t_max, but they are {limits[0]} and {limits[1]}"
+            )
+        question = choose(Query, query, "query")
+        self._filter.SetRaysData(ray_set)
+        self._filter.SetTMin(limits[0])
+        self._filter.SetTMax(limits[1])
+        self._filter.SetQuery(question)
+        self._filter.SetCountTraversal(bool(cost))
+        run(self._filter, progress)
+        return _hits(self._filter, question, cost)
+
+
+def cast(
+    mesh: Mesh,
+    origins: ArrayLike | vtkDataSet,
+    directions: ArrayLike | None = None,
+    t_min: ArrayLike = 0.0,
+    t_max: ArrayLike = np.inf,
+    query: Query | str = "closest",
+    precision: Precision | str = "fast",
+    structure: Structure | str = "auto",
+    threads: int = 0,
+    *,
+    bvh_build: BvhBuild | str = "binned_sah",
+    leaf_size: int = 4,
+    cost: bool = False,
+    progress: Callable[[float], None] | None = None,
+) -> Hits:
+    """Casts rays at a mesh, once. Arguments and errors are those of `Caster` and `Caster.cast`; use
+    a `Caster` to cast several times at one mesh.
+
+    >>> hits = lumitree.cast("bunny.ply", origins=(0, 0, 5), directions=[(0, 0, -1), (0, 1, 0)])
+    >>> hits.t, hits.cell_id
+    """
+    caster = Caster(
+        mesh,
+        structure=structure,
+        precision=precision,
+        bvh_build=bvh_build,
+        leaf_size=leaf_size,
+        threads=threads,
+    )
+    return caster.cast(origins, directions, t_min, t_max, query, cost=cost, progress=progress)
+
+
+def _hits(filter_: vtkLumiRayCast, query: Query, cost: bool) -> Hits:
+    # Shallow copies, because the filter empties its outputs when it runs again.
+    hits = filter_.GetOutputDataObject(0).NewInstance()
+    hits.ShallowCopy(filter_.GetOutputDataObject(0))
+    ray_set = filter_.GetOutputDataObject(1).NewInstance()
+    ray_set.ShallowCopy(filter_.GetOutputDataObject(1))
+
+    per_ray = ray_set.GetPointData()
+    if not per_ray.HasArray("HitMask"):
+        per_ray = ray_set.GetCellData()
+    result = {
+        "hit": from_vtk(per_ray, "HitMask").view(bool),
+        "count": from_vtk(per_ray, "HitCount"),
+        "rays": ray_set,
+        "hits": hits,
+    }
+    if cost:
+        result["cost"] = {key: from_vtk(per_ray, name) for key, name in COST_ARRAYS.items()}
+    if query in (Query.CLOSEST, Query.ALL):
+        per_hit = hits.GetPointData()
+        ray_id = from_vtk(per_hit, "RayId")
+        point = vtk_to_numpy(hits.GetPoints().GetData())
+        rows = {
+            "uv": from_vtk(per_hit, "UV"),
+            "normal": from_vtk(per_hit, "Normals"),
+            "point": point,
+        }
+        source = per_ray if query == Query.CLOSEST else per_hit
+        result["t"] = from_vtk(source, "T")
+        result["cell_id"] = from_vtk(source, "CellId")
+        result["composite_index"] = from_vtk(source, "CompositeIndex")
+        if query == Query.CLOSEST:
+            rows = {
+                key: _one_row_a_ray(row, ray_id, len(result["hit"])) for key, row in rows.items()
+            }
+        else:
+            result["ray_id"] = ray_id
+            result["offsets"] = np.append(from_vtk(per_ray, "HitOffset"), len(ray_id))
+        result.update(rows)
+    return Hits(**result)
+
+
+def _one_row_a_ray(rows: np.ndarray, ray_id: np.ndarray, count: int) -> np.ndarray:
+    if len(rows) == count:
+        return rows
+    result = np.full((count, rows.shape[1]), np.nan, rows.dtype)
+    result[ray_id] = rows
+    return result

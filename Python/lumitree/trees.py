@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The hierarchy over a surface, as boxes to look at and numbers to compare."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet, vtkTable
+
+from .arrays import in_range
+from .choices import BvhBuild, Structure, choose
+from .errors import run
+from .surfaces import Mesh, as_surface
+from .vtk import vtkLumiAccelerationStructure
+
+
+@dataclass(frozen=True)
+class Hierarchy:
+    """A tree over a surface.
+
+    levels : a block per depth, ``Level 0`` to the deepest, of boxes with cell arrays such as
+        ``Depth``, ``PrimitiveCount``, ``SurfaceAreaCost`` and, with rays, ``Visits``.
+    statistics : a dict with the columns of the table Statistics: ``Structure``, ``Nodes``,
+        ``Depth``, ``SahCost``, ``MemoryBytes``, ``BuildSeconds`` and more.
+    """
+
+    levels: vtkMultiBlockDataSet
+    statistics: dict[str, str | int | float]
+
+
+def hierarchy(
+    mesh: Mesh,
+    structure: Structure | str = "auto",
+    rays: vtkDataSet | None = None,
+    *,
+    bvh_build: BvhBuild | str = "binned_sah",
+    leaf_size: int = 4,
+    threads: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> Hierarchy:
+    """Builds a structure over a mesh, and shows it.
+
+    mesh, structure, bvh_build, leaf_size, threads : as of `Caster`.
+    rays : a data set of rays, such as of `camera_rays`; each node then tells how many of them
+        entered it.
+
+    Raises ValueError for wrong names and types, LumitreeError for what the filter refuses.
+    """
+    tree = vtkLumiAccelerationStructure()
+    tree.SetInputDataObject(0, as_surface(mesh))
+    tree.SetStructure(choose(Structure, structure, "structure"))
+    tree.SetBvhBuild(choose(BvhBuild, bvh_build, "bvh_build"))
+    tree.SetLeafSize(in_range(leaf_size, 1, 1024, "leaf_size"))
+    tree.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+    if rays is not None:
+        tree.SetInputDataObject(1, rays)
+    run(tree, progress)
+    return Hierarchy(tree.GetOutputDataObject(0), _first_row(tree.GetOutputDataObject(1)))
+
+
+def _first_row(table: vtkTable) -> dict[str, str | int | float]:
+    row = {}
+    for column in range(table.GetNumberOfColumns()):
+        value = table.GetValue(0, column)
+        if value.IsString():
+            plain = value.ToString()
+        elif value.IsDouble() or value.IsFloat():
+            plain = value.ToDouble()
+        else:
+            plain = value.ToLongLong()
+        row[table.GetColumnName(column)] = plain
+    return row
