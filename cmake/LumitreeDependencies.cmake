@@ -17,6 +17,9 @@ else ()
   add_library(hwy::hwy ALIAS PkgConfig::hwy)
   lumitree_component_line(Highway in "${hwy_VERSION} (pkg-config)")
 endif ()
+# Header-only, for the integers of the exact predicates' last resort.
+find_package(Boost REQUIRED)
+lumitree_component_line(Boost in "${Boost_VERSION_STRING}")
 
 include(LumitreeFindVTK)
 
