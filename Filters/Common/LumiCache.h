@@ -38,22 +38,23 @@ enum class GatherArrays
 
 /// The surface of a dataset, or of a composite as one scene.
 ///
-/// Surfaces and accelerators are shared by all filters of the process and last as long as someone uses
-/// them: a filter keeps what it got until its next execution. They are found again by the identity and the
-/// equality of the MTimes of each leaf's points, connectivity and ghosts (of a leaf that is no vtkPolyData:
-/// of the dataset), so that new point data, rays or lights rebuild nothing.
+/// Surfaces and accelerators are shared by all filters of the process and last as long as someone
+/// uses them: a filter keeps what it got until its next execution. They are found again by the
+/// identity and the equality of the MTimes of each leaf's points, connectivity and ghosts (of a
+/// leaf that is no vtkPolyData: of the dataset), so that new point data, rays or lights rebuild
+/// nothing.
 ///
-/// With a controller of several ranks the call is collective and every rank gets the surface of all of
-/// them, in order of rank. Without input data (null) a rank takes part with nothing.
+/// With a controller of several ranks the call is collective and every rank gets the surface of all
+/// of them, in order of rank. Without input data (null) a rank takes part with nothing.
 ///
-/// On bad input: one vtkErrorMacro of the reporter (on every rank), and null. The reporter's progress is
-/// not touched.
+/// On bad input: one vtkErrorMacro of the reporter (on every rank), and null. The reporter's
+/// progress is not touched.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::shared_ptr<const SurfaceInput> surfaceFor(
   vtkDataObject* input, vtkMultiProcessController* controller, vtkAlgorithm* reporter,
   GatherArrays arrays = GatherArrays::Yes);
 
-/// The accelerator over that surface, built if nobody has it yet. Unknown structures and options out of
-/// range are reported like bad input.
+/// The accelerator over that surface, built if nobody has it yet. Unknown structures and options
+/// out of range are reported like bad input.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::shared_ptr<const Tree> treeFor(vtkDataObject* input,
   const BuildOptions& options, vtkMultiProcessController* controller, vtkAlgorithm* reporter,
   GatherArrays arrays = GatherArrays::Yes);

@@ -19,7 +19,8 @@ namespace lumitree::filters
 {
 
 /// Whether there is more than one rank. Null is one.
-[[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT bool isDistributed(vtkMultiProcessController* controller);
+[[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT bool isDistributed(
+  vtkMultiProcessController* controller);
 
 /// The largest value that any rank brings. Collective; without other ranks the value itself.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT long long largestOfAll(
@@ -32,9 +33,9 @@ struct GatheredObject
   int process = 0;
 };
 
-/// Every rank's objects on every rank, by rank and then in the order given: lights, or the surfaces of
-/// occluders. Collective: a rank that has none calls it with an empty list. All objects must be of the class
-/// of `prototype`. Throws std::runtime_error, on every rank, when a transfer fails.
+/// Every rank's objects on every rank, by rank and then in the order given: lights, or the surfaces
+/// of occluders. Collective: a rank that has none calls it with an empty list. All objects must be
+/// of the class of `prototype`. Throws std::runtime_error, on every rank, when a transfer fails.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::vector<GatheredObject> gatherObjects(
   vtkMultiProcessController* controller, const std::vector<vtkSmartPointer<vtkDataObject>>& mine,
   vtkDataObject* prototype);

@@ -42,7 +42,8 @@ bool Job::report(double fraction)
 {
   if (this->algorithm_)
   {
-    const double progress = this->from_ + (this->to_ - this->from_) * std::clamp(fraction, 0.0, 1.0);
+    const double progress =
+      this->from_ + (this->to_ - this->from_) * std::clamp(fraction, 0.0, 1.0);
     if (progress >= this->reported_ + progressStep || fraction >= 1.0)
     {
       this->reported_ = progress;

@@ -15,7 +15,8 @@ VTK_ABI_NAMESPACE_END
 namespace lumitree::filters
 {
 
-/// vtkErrorMacro and vtkWarningMacro on behalf of a filter, from code that is none. Null is allowed.
+/// vtkErrorMacro and vtkWarningMacro on behalf of a filter, from code that is none. Null is
+/// allowed.
 ///@{
 LUMITREEFILTERSCOMMON_EXPORT void reportError(vtkObject* reporter, const std::string& message);
 LUMITREEFILTERSCOMMON_EXPORT void reportWarning(vtkObject* reporter, const std::string& message);

@@ -24,22 +24,24 @@ struct SurfaceIndex;
 /// One dataset of the input, or one piece of it that came from another rank.
 struct SurfaceLeaf
 {
-  /// On one rank the leaf as given (a shallow copy: later changes of the pipeline do not reach it). In a
-  /// run over several ranks the triangles that were gathered, as a vtkPolyData with the leaf's point and
-  /// cell arrays. Either way leafPointIds and leafCellId are ids of this dataset.
+  /// On one rank the leaf as given (a shallow copy: later changes of the pipeline do not reach it).
+  /// In a run over several ranks the triangles that were gathered, as a vtkPolyData with the leaf's
+  /// point and cell arrays. Either way leafPointIds and leafCellId are ids of this dataset.
   vtkSmartPointer<vtkDataSet> data;
   std::int64_t compositeIndex = 0; ///< flat index within the composite; 0 for a plain dataset
   int process = 0;                 ///< rank whose piece it is
 };
 
-/// What an accelerator was made from: the triangles of all leaves as one surface, and the ways back to
-/// the cells and points that they came from. Primitives are ordered by (leaf, cell, sub-triangle).
-/// Immutable, except that a look-up table is made when it is first asked for: any thread may read it.
+/// What an accelerator was made from: the triangles of all leaves as one surface, and the ways back
+/// to the cells and points that they came from. Primitives are ordered by (leaf, cell,
+/// sub-triangle). Immutable, except that a look-up table is made when it is first asked for: any
+/// thread may read it.
 struct LUMITREEFILTERSCOMMON_EXPORT SurfaceInput
 {
   std::shared_ptr<const Surface> surface;
-  std::vector<SurfaceLeaf> leaves;         ///< by rank, then in the order of the composite
-  std::vector<PrimitiveId> firstPrimitive; ///< one per leaf, ascending; an empty leaf has its successor's
+  std::vector<SurfaceLeaf> leaves; ///< by rank, then in the order of the composite
+  std::vector<PrimitiveId>
+    firstPrimitive; ///< one per leaf, ascending; an empty leaf has its successor's
 
   std::uint64_t hiddenCells = 0;    ///< left out: HIDDENCELL, or coarse AMR cells that are refined
   std::uint64_t duplicateCells = 0; ///< left out: DUPLICATECELL
@@ -59,16 +61,17 @@ struct LUMITREEFILTERSCOMMON_EXPORT SurfaceInput
   /// surface->source(primitive).cell is the id to report; on one rank the two are the same.
   [[nodiscard]] vtkIdType leafCellId(PrimitiveId primitive) const;
 
-  /// The primitive's vertices (v0, v1, v2) as point ids of leaves[leafOf(primitive)].data: where their point
-  /// data stands. −1 for a vertex that is no point of the leaf (a subdivided nonlinear face).
+  /// The primitive's vertices (v0, v1, v2) as point ids of leaves[leafOf(primitive)].data: where
+  /// their point data stands. −1 for a vertex that is no point of the leaf (a subdivided nonlinear
+  /// face).
   [[nodiscard]] std::array<vtkIdType, 3> leafPointIds(PrimitiveId primitive) const;
 
-  /// Every primitive of a cell, ascending: what a receiver on that cell must not see. cellId is the original
-  /// id, local to the leaf's dataset. Empty when the cell gave none.
+  /// Every primitive of a cell, ascending: what a receiver on that cell must not see. cellId is the
+  /// original id, local to the leaf's dataset. Empty when the cell gave none.
   [[nodiscard]] std::vector<PrimitiveId> primitivesOfCell(std::size_t leaf, vtkIdType cellId) const;
 
-  /// Every primitive of every cell that uses a point, ascending: what a receiver at that point must not
-  /// see. pointId is the original id, local to the leaf's dataset. Empty inside a volume.
+  /// Every primitive of every cell that uses a point, ascending: what a receiver at that point must
+  /// not see. pointId is the original id, local to the leaf's dataset. Empty inside a volume.
   [[nodiscard]] std::vector<PrimitiveId> primitivesAroundPoint(
     std::size_t leaf, vtkIdType pointId) const;
 };

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LumiLeafTriangles.h"
+
+#include "LumiCellOrder.h"
+#include "LumiJob.h"
+#include "LumiPoints.h"
+#include "LumiTriangulate.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+
+#include "Accel/Parallel.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace lumitree::filters
+{
+namespace
+{
+
+constexpr std::size_t chunkSize = 8192; // cells; enough work to outweigh making a vtkPolygon
+
+/// What a chunk of cells gave.
+struct Chunk
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::int64_t> cells;
+  std::uint64_t passedOver = 0;
+};
+
+void checkPoints(vtkIdType n, const vtkIdType* ids, std::size_t points, std::int64_t cell)
+{
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    if (ids[i] < 0 || static_cast<std::size_t>(ids[i]) >= points)
+    {
+      throw std::invalid_argument("cell " + std::to_string(cell) + " uses point " +
+        std::to_string(ids[i]) + " of " + std::to_string(points));
+    }
+  }
+}
+
+void triangulate(const std::vector<PolygonCell>& order, std::size_t begin, std::size_t end,
+  const ExtractedSurface& surface, const PointArray& points, Chunk& chunk)
+{
+  Triangulator triangulator(points);
+  vtkCellArray* polys = surface.polygons->GetPolys();
+  vtkCellArray* strips = surface.polygons->GetStrips();
+  vtkNew<vtkIdList> ids;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const PolygonCell& cell = order[i];
+    // The only accessor that is thread-safe whatever the arrays' storage.
+    (cell.strip ? strips : polys)->GetCellAtId(cell.index, ids);
+    const vtkIdType n = ids->GetNumberOfIds();
+    if (n < 3)
+    {
+      ++chunk.passedOver;
+      continue;
+    }
+    checkPoints(n, ids->GetPointer(0), points.count, cell.cell);
+    if (cell.strip)
+    {
+      triangulator.strip(n, ids->GetPointer(0), chunk.triangles);
+    }
+    else
+    {
+      triangulator.polygon(n, ids->GetPointer(0), chunk.triangles);
+    }
+    chunk.cells.resize(chunk.triangles.size(), cell.cell);
+  }
+}
+
+} // namespace
+
+LeafTriangles trianglesOf(vtkDataSet* leaf)
+{
+  LeafTriangles result;
+  const CellSelection selection = selectCells(leaf);
+  const ExtractedSurface surface = extractSurface(leaf, selection);
+  result.hiddenCells = selection.hidden;
+  result.duplicateCells = selection.duplicate;
+  result.pointIds = surface.pointIds;
+  result.passedOver = static_cast<std::uint64_t>(
+    surface.polygons->GetNumberOfVerts() + surface.polygons->GetNumberOfLines());
+
+  vtkPoints* points = surface.polygons->GetPoints();
+  result.points = pointsOf(points ? points->GetData() : nullptr);
+  if (result.points.count >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::invalid_argument("more than 2^32 - 2 points in one dataset");
+  }
+
+  const std::vector<PolygonCell> order = polygonsInOrder(surface, selection);
+  std::vector<Chunk> chunks((order.size() + chunkSize - 1) / chunkSize);
+  parallelFor(order.size(), chunkSize, threadsFor(0), nullptr,
+    [&](std::size_t begin, std::size_t end)
+    { triangulate(order, begin, end, surface, result.points, chunks[begin / chunkSize]); });
+
+  std::size_t total = 0;
+  for (const Chunk& chunk : chunks)
+  {
+    total += chunk.triangles.size();
+  }
+  if (total >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::invalid_argument("more than 2^32 - 2 triangles in one dataset");
+  }
+  result.triangles.reserve(total);
+  result.cells.reserve(total);
+  for (Chunk& chunk : chunks)
+  {
+    result.triangles.insert(result.triangles.end(), chunk.triangles.begin(), chunk.triangles.end());
+    result.cells.insert(result.cells.end(), chunk.cells.begin(), chunk.cells.end());
+    result.passedOver += chunk.passedOver;
+    chunk = {}; // no second copy of everything
+  }
+  return result;
+}
+
+} // namespace lumitree::filters
