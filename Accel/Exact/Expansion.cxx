@@ -82,12 +82,49 @@ double Expansion::estimate() const
   return sum;
 }
 
+Expansion Expansion::leading(double& error) const
+{
+  error = 0.0;
+  if (this->terms_.empty())
+  {
+    return {};
+  }
+  Terms packed; // largest first
+  double carry = this->terms_.back();
+  for (std::size_t i = this->terms_.size() - 1; i-- > 0;)
+  {
+    const Two s = fastTwoSum(carry, this->terms_[i]);
+    carry = s.high;
+    if (s.low != 0.0)
+    {
+      packed.push(s.high);
+      carry = s.low;
+    }
+  }
+  packed.push(carry);
+  Expansion result;
+  for (std::size_t i = packed.size(); i-- > 0;)
+  {
+    if (i < 3)
+    {
+      result.push(packed[i]);
+    }
+    else
+    {
+      error += std::fabs(packed[i]);
+    }
+  }
+  error *= 1.0 + 0x1p-40;
+  return result;
+}
+
 // Shewchuk's fast-expansion-sum: merge by magnitude, then sweep the carry through.
 Expansion Expansion::sum(const Expansion& a, const Expansion& b, double signOfB)
 {
   Expansion result;
   const std::size_t n = a.terms_.size();
   const std::size_t m = b.terms_.size();
+  result.terms_.reserve(n + m);
   if (n + m == 0)
   {
     return result;
@@ -113,6 +150,7 @@ Expansion Expansion::sum(const Expansion& a, const Expansion& b, double signOfB)
 Expansion Expansion::scale(const Expansion& a, double factor)
 {
   Expansion result;
+  result.terms_.reserve(2 * a.terms_.size());
   double carry = 0.0;
   for (const double term : a.terms_)
   {

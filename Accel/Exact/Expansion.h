@@ -3,7 +3,7 @@
 #ifndef Lumitree_Accel_Exact_Expansion_h
 #define Lumitree_Accel_Exact_Expansion_h
 
-#include <boost/container/small_vector.hpp>
+#include "Accel/Exact/Terms.h"
 
 namespace lumitree::exact
 {
@@ -31,19 +31,21 @@ public:
     return a.estimate() / b.estimate();
   }
 
+  /// The same number with the largest terms first to hold all the bits they can (Shewchuk's compress), cut to three terms.
+  /// The number differs from what is returned by at most error.
+  [[nodiscard]] Expansion leading(double& error) const;
+
   friend Expansion operator+(const Expansion& a, const Expansion& b);
   friend Expansion operator-(const Expansion& a, const Expansion& b);
   friend Expansion operator*(const Expansion& a, const Expansion& b);
 
 private:
-  using Terms = boost::container::small_vector<double, 24>;
-
   /// Appends value unless it is 0.
   void push(double value)
   {
     if (value != 0.0)
     {
-      this->terms_.push_back(value);
+      this->terms_.push(value);
     }
   }
 

@@ -84,12 +84,39 @@ int compareToLimit(const Ray& ray, const std::array<Vec3, 3>& triangle, double l
   return (t.over - Number(limit) * t.under).sign() * t.under.sign();
 }
 
+/// Sign of (a b - c d) of expansions. With 150 leading bits of each nearly always known; else the product of all terms.
+int crossProductSign(
+  const Expansion& a, const Expansion& b, const Expansion& c, const Expansion& d)
+{
+  double ea = 0.0;
+  double eb = 0.0;
+  double ec = 0.0;
+  double ed = 0.0;
+  const Expansion headA = a.leading(ea);
+  const Expansion headB = b.leading(eb);
+  const Expansion headC = c.leading(ec);
+  const Expansion headD = d.leading(ed);
+  const double error = (std::fabs(headA.estimate()) + ea) * eb + std::fabs(headB.estimate()) * ea +
+    (std::fabs(headC.estimate()) + ec) * ed + std::fabs(headD.estimate()) * ec;
+  const Expansion head = headA * headB - headC * headD;
+  if (error == 0.0 || std::fabs(head.estimate()) > error * (1.0 + 0x1p-40))
+  {
+    return head.sign();
+  }
+  return (a * b - c * d).sign();
+}
+
+int crossProductSign(const Dyadic& a, const Dyadic& b, const Dyadic& c, const Dyadic& d)
+{
+  return (a * b - c * d).sign();
+}
+
 template <class Number>
 int compare(const Ray& ray, const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b)
 {
   const auto s = parameter<Number>(ray, a);
   const auto t = parameter<Number>(ray, b);
-  return (s.over * t.under - t.over * s.under).sign() * s.under.sign() * t.under.sign();
+  return crossProductSign(s.over, t.under, t.over, s.under) * s.under.sign() * t.under.sign();
 }
 
 template <class Number>

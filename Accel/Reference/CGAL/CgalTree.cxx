@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Accel/Reference/CGAL/CgalTree.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace lumitree
+{
+namespace
+{
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Rational = CGAL::Exact_rational;
+using Vector = std::array<Rational, 3>;
+
+Kernel::Point_3 pointOf(const Vec3& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+/// origin + t direction, exactly.
+Kernel::Point_3 pointAt(const Ray& ray, double t)
+{
+  const Kernel::FT parameter(t);
+  return { Kernel::FT(ray.origin[0]) + parameter * Kernel::FT(ray.direction[0]),
+    Kernel::FT(ray.origin[1]) + parameter * Kernel::FT(ray.direction[1]),
+    Kernel::FT(ray.origin[2]) + parameter * Kernel::FT(ray.direction[2]) };
+}
+
+Vector difference(const Vec3& a, const Vec3& b)
+{
+  return { Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]),
+    Rational(a[2]) - Rational(b[2]) };
+}
+
+Vector cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+Rational dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The nearest double; to_double alone may cut off.
+double rounded(const Rational& x)
+{
+  const double near = CGAL::to_double(x);
+  double best = near;
+  for (const double other : { std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL) })
+  {
+    if (std::isfinite(other) && std::isfinite(best) &&
+      CGAL::abs(Rational(other) - x) < CGAL::abs(Rational(best) - x))
+    {
+      best = other;
+    }
+  }
+  return best;
+}
+
+/// The place at which a line crosses a triangle's plane, in exact numbers.
+struct ExactHit
+{
+  Rational t;
+  PrimitiveId primitive;
+  std::array<Vec3, 3> vertices;
+
+  [[nodiscard]] Hit hit(const Ray& ray) const
+  {
+    // The point less vertex 0 is u (v1 - v0) + v (v2 - v0).
+    const Vector e1 = difference(this->vertices[1], this->vertices[0]);
+    const Vector e2 = difference(this->vertices[2], this->vertices[0]);
+    Vector p = difference(ray.origin, this->vertices[0]);
+    for (int k = 0; k < 3; ++k)
+    {
+      p[k] += this->t * Rational(ray.direction[k]);
+    }
+    const Vector normal = cross(e1, e2);
+    const Rational area = dot(normal, normal);
+    const Rational u = dot(normal, cross(p, e2)) / area;
+    const Rational v = dot(normal, cross(e1, p)) / area;
+    return { rounded(this->t), rounded(u), rounded(v), this->primitive };
+  }
+};
+
+} // namespace
+
+struct CgalTree::Internals
+{
+  explicit Internals(const Surface& s)
+    : surface(s)
+  {
+    this->triangles.reserve(s.hittable().size());
+    for (const PrimitiveId id : s.hittable())
+    {
+      const auto v = s.vertices(id);
+      this->triangles.emplace_back(pointOf(v[0]), pointOf(v[1]), pointOf(v[2]));
+    }
+    this->tree.insert(this->triangles.begin(), this->triangles.end());
+    this->tree.build();
+  }
+
+  /// The triangles that meet what is between the ray's limits, in any order.
+  void candidates(const Ray& ray, std::vector<Triangles::iterator>& found) const
+  {
+    const auto out = std::back_inserter(found);
+    const bool begins = std::isfinite(ray.tMin);
+    const bool ends = std::isfinite(ray.tMax);
+    const Kernel::Vector_3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
+    if (begins && ends && ray.tMin < ray.tMax)
+    {
+      this->tree.all_intersected_primitives(
+        Kernel::Segment_3(pointAt(ray, ray.tMin), pointAt(ray, ray.tMax)), out);
+    }
+    else if (begins && !ends)
+    {
+      this->tree.all_intersected_primitives(
+        Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
+    }
+    else if (ends && !begins)
+    {
+      this->tree.all_intersected_primitives(
+        Kernel::Ray_3(pointAt(ray, ray.tMax), -direction), out);
+    }
+    else // unlimited, or one point, which is no segment to CGAL
+    {
+      this->tree.all_intersected_primitives(Kernel::Line_3(pointOf(ray.origin), direction), out);
+    }
+  }
+
+  const Surface& surface;
+  Triangles triangles;
+  Tree tree;
+};
+
+CgalTree::CgalTree(const Surface& surface)
+  : internals_(std::make_unique<Internals>(surface))
+{
+}
+
+CgalTree::~CgalTree() = default;
+
+void CgalTree::all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
+  std::vector<Hit>& hits) const
+{
+  hits.clear();
+  // No point has an infinite parameter.
+  if (ray.tMin == HUGE_VAL || ray.tMax == -HUGE_VAL)
+  {
+    return;
+  }
+  std::vector<Triangles::iterator> found;
+  this->internals_->candidates(ray, found);
+
+  const Vector direction = { Rational(ray.direction[0]), Rational(ray.direction[1]),
+    Rational(ray.direction[2]) };
+  std::vector<ExactHit> exact;
+  for (const auto& triangle : found)
+  {
+    const auto index = static_cast<std::size_t>(triangle - this->internals_->triangles.begin());
+    const PrimitiveId id = this->internals_->surface.hittable()[index];
+    if (std::binary_search(skipFirst, skipLast, id))
+    {
+      continue;
+    }
+    const auto v = this->internals_->surface.vertices(id);
+    const Vector normal = cross(difference(v[1], v[0]), difference(v[2], v[0]));
+    const Rational under = dot(normal, direction);
+    if (under == 0)
+    {
+      continue;
+    }
+    const Rational t = dot(normal, difference(v[0], ray.origin)) / under;
+    if ((std::isinf(ray.tMin) || t >= Rational(ray.tMin)) &&
+      (std::isinf(ray.tMax) || t <= Rational(ray.tMax)))
+    {
+      exact.push_back({ t, id, v });
+    }
+  }
+  std::sort(exact.begin(), exact.end(), [](const ExactHit& a, const ExactHit& b) {
+    return a.t < b.t || (a.t == b.t && a.primitive < b.primitive);
+  });
+  for (const ExactHit& hit : exact)
+  {
+    hits.push_back(hit.hit(ray));
+  }
+}
+
+std::size_t CgalTree::memory() const
+{
+  // A binary tree over n triangles has n - 1 nodes of a box and two pointers each.
+  const std::size_t n = this->internals_->triangles.size();
+  return n * (sizeof(Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) + 2 * sizeof(void*));
+}
+
+} // namespace lumitree
