@@ -75,7 +75,7 @@ void splitIntoSegments(vtkPointSet* input, const RayInput& rays, vtkPointSet* ou
     from->SetId(i, rays.segmentCells[static_cast<std::size_t>(i)]);
   }
   output->GetCellData()->CopyAllocate(input->GetCellData(), rays.size);
-  output->GetCellData()->CopyData(input->GetCellData(), from.Get(), 0);
+  output->GetCellData()->CopyData(input->GetCellData(), from.Get());
 }
 
 } // namespace
