@@ -18,7 +18,7 @@ void registerCgal()
 namespace
 {
 
-const bool registeredOnLoad = (registerCgal(), true);
+[[maybe_unused]] const bool registeredOnLoad = (registerCgal(), true);
 
 } // namespace
 
