@@ -58,8 +58,9 @@ public:
       enter = tNear > enter ? tNear : enter;
       exit = tFar < exit ? tFar : exit;
     }
-    enter -= std::fabs(enter) * relativePad + absolutePad;
-    exit += std::fabs(exit) * relativePad + absolutePad;
+    // By factors, because infinity less infinity would be NaN and the box met.
+    enter = enter * (enter > 0.0 ? 1.0 - relativePad : 1.0 + relativePad) - absolutePad;
+    exit = exit * (exit > 0.0 ? 1.0 + relativePad : 1.0 - relativePad) + absolutePad;
     tEnter = enter > this->tMin_ ? enter : this->tMin_;
     return tEnter <= exit && tEnter <= tStop;
   }
