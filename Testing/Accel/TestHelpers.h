@@ -4,8 +4,10 @@
 #define Lumitree_Testing_Accel_TestHelpers_h
 
 #include "Accel/Accelerator.h"
+#include "Accel/Registry.h"
 #include "Data/Scenes.h"
 
+#include <cstring>
 #include <memory>
 #include <random>
 #include <vector>
@@ -61,12 +63,18 @@ struct Rays
 {
   std::vector<double> origins;
   std::vector<double> directions;
+  std::vector<double> tMins;
+  std::vector<double> tMaxs;
 
-  void add(const Vec3& origin, const Vec3& direction)
+  void add(const Ray& ray)
   {
-    this->origins.insert(this->origins.end(), origin.begin(), origin.end());
-    this->directions.insert(this->directions.end(), direction.begin(), direction.end());
+    this->origins.insert(this->origins.end(), ray.origin.begin(), ray.origin.end());
+    this->directions.insert(this->directions.end(), ray.direction.begin(), ray.direction.end());
+    this->tMins.push_back(ray.tMin);
+    this->tMaxs.push_back(ray.tMax);
   }
+
+  void add(const Vec3& origin, const Vec3& direction) { this->add(Ray{ origin, direction }); }
 
   [[nodiscard]] std::size_t size() const { return this->origins.size() / 3; }
 
@@ -76,6 +84,8 @@ struct Rays
     batch.size = this->size();
     batch.origins = ArrayView(this->origins.data());
     batch.directions = ArrayView(this->directions.data());
+    batch.tMins = ArrayView(this->tMins.data());
+    batch.tMaxs = ArrayView(this->tMaxs.data());
     return batch;
   }
 };
@@ -134,6 +144,78 @@ inline BuildOptions optionsOf(Structure structure, BvhBuild build = BvhBuild::Bi
   options.structure = structure;
   options.bvhBuild = build;
   return options;
+}
+
+inline constexpr std::array<Precision, precisionCount> everyPrecision = { Precision::Fast,
+  Precision::Watertight, Precision::Exact };
+
+/// Every structure of our own that this process offers (references make promises of their own), a binary BVH once per
+/// way to build it.
+inline std::vector<BuildOptions> ownStructures()
+{
+  std::vector<BuildOptions> all;
+  for (const Structure structure : Registry::instance().structures())
+  {
+    if (structure != Structure::Embree && structure != Structure::Cgal)
+    {
+      all.push_back(optionsOf(structure));
+    }
+  }
+  all.push_back(optionsOf(Structure::Bvh, BvhBuild::LongestAxisMedian));
+  return all;
+}
+
+inline std::string label(const BuildOptions& options)
+{
+  return std::string(name(options.structure)) + ", " + std::string(name(options.bvhBuild));
+}
+
+/// The surface under every structure of our own.
+inline std::vector<std::shared_ptr<const Accelerator>> accelerators(
+  const std::shared_ptr<const Surface>& surface)
+{
+  std::vector<std::shared_ptr<const Accelerator>> all;
+  for (const BuildOptions& options : ownStructures())
+  {
+    all.push_back(build(surface, options));
+  }
+  return all;
+}
+
+inline QueryOptions with(Precision precision)
+{
+  QueryOptions options;
+  options.precision = precision;
+  options.threads = 1;
+  return options;
+}
+
+/// One ray's answers.
+///@{
+inline Hit closestOf(const Accelerator& accelerator, const Ray& ray, Precision precision)
+{
+  Rays rays;
+  rays.add(ray);
+  Hit hit;
+  accelerator.closest(rays.batch(), &hit, with(precision));
+  return hit;
+}
+
+inline std::vector<Hit> allOf(const Accelerator& accelerator, const Ray& ray, Precision precision)
+{
+  Rays rays;
+  rays.add(ray);
+  AllHits all;
+  accelerator.all(rays.batch(), all, with(precision));
+  return all.hits;
+}
+///@}
+
+/// The same bits, not only equal numbers.
+inline bool sameBits(const Hit& a, const Hit& b)
+{
+  const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof(double)) == 0; };
+  return a.primitive == b.primitive && same(a.t, b.t) && same(a.u, b.u) && same(a.v, b.v);
 }
 
 } // namespace lumitree::testing
