@@ -15,7 +15,9 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace
 {
@@ -85,34 +87,35 @@ public:
   void addCells(RaySources& sources) const
   {
     vtkDataArray* const given = this->data_->GetCellData()->GetNormals();
-    this->eachCell(
-      [&](vtkIdType index, vtkIdList*, const std::vector<Vec3>& points, bool strip)
+    const auto addCell = [&](
+                           vtkIdType index, vtkIdList*, const std::vector<Vec3>& points, bool strip)
+    {
+      const vtkIdType id = this->cellId(index);
+      if (this->selection_[id] == filters::CellState::Occludes)
       {
-        const vtkIdType id = this->cellId(index);
-        if (this->selection_[id] != filters::CellState::Occludes)
-        {
-          return;
-        }
         const Facet facet = strip ? stripFacet(points) : polygonFacet(points);
         const bool ownNormal = given && this->isFlat(id);
         this->add(sources, facet.centre, ownNormal ? tuple(given, id) : facet.area, id, index);
-      });
+      }
+    };
+    this->eachCell(addCell);
   }
 
   void addPoints(RaySources& sources) const
   {
     vtkDataArray* const given = this->data_->GetPointData()->GetNormals();
     vtkUnsignedCharArray* const ghosts = this->data_->GetPointGhostArray();
-    const std::vector<Vec3> sums = given ? std::vector<Vec3>() : this->pointAreas();
+    const std::vector<vtkIdType> ids = this->surfacePoints();
+    const std::vector<Vec3> sums = given ? std::vector<Vec3>() : this->pointAreas(ids);
     constexpr int left = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
-    for (vtkIdType i = 0; i < this->surface_.polygons->GetNumberOfPoints(); ++i)
+    for (std::size_t i = 0; i < ids.size(); ++i)
     {
-      const vtkIdType id = this->surface_.pointIds ? this->surface_.pointIds->GetValue(i) : i;
-      // Without an id it is a point that subdividing a curved face has made.
-      if (id >= 0 && !(ghosts && (ghosts->GetValue(id) & left) != 0))
+      const vtkIdType id = ids[i];
+      if (!(ghosts && (ghosts->GetValue(id) & left) != 0))
       {
-        const Vec3 normal = given ? tuple(given, id) : sums[static_cast<std::size_t>(i)];
-        this->add(sources, this->point(i), normal, id, i);
+        Vec3 position;
+        this->data_->GetPoint(id, position.data());
+        this->add(sources, position, given ? tuple(given, id) : sums[i], id, id);
       }
     }
   }
@@ -182,43 +185,64 @@ private:
     }
   }
 
-  /// For each point the sum of its cells' areas along their normals, which is the area-weighted
-  /// mean but for its length. Duplicate cells count: they make the mean at a piece's border that of
-  /// the whole.
-  std::vector<Vec3> pointAreas() const
+  /// The leaf's points on its surface, ascending. Extraction may repeat a point (an image's edges
+  /// have one per face), and makes points without an id where it subdivides curved faces.
+  std::vector<vtkIdType> surfacePoints() const
   {
-    std::vector<Vec3> sums(static_cast<std::size_t>(this->surface_.polygons->GetNumberOfPoints()));
+    std::vector<vtkIdType> ids(
+      static_cast<std::size_t>(this->surface_.polygons->GetNumberOfPoints()));
+    std::iota(ids.begin(), ids.end(), vtkIdType(0));
+    if (this->surface_.pointIds)
+    {
+      const vtkIdType* const original = this->surface_.pointIds->GetPointer(0);
+      std::copy_n(original, ids.size(), ids.begin());
+      std::sort(ids.begin(), ids.end());
+      ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+      ids.erase(ids.begin(), std::lower_bound(ids.begin(), ids.end(), vtkIdType(0)));
+    }
+    return ids;
+  }
+
+  /// For each of those points the sum of its cells' areas along their normals, which is the
+  /// area-weighted mean but for its length. Duplicate cells count: they make the mean at a piece's
+  /// border that of the whole.
+  std::vector<Vec3> pointAreas(const std::vector<vtkIdType>& pointIds) const
+  {
+    std::vector<Vec3> sums(pointIds.size());
+    vtkIdTypeArray* const original = this->surface_.pointIds;
     const auto addTo = [&](vtkIdType i, const Vec3& area)
     {
-      Vec3& sum = sums[static_cast<std::size_t>(i)];
-      sum = sum + area;
-    };
-    this->eachCell(
-      [&](vtkIdType index, vtkIdList* ids, const std::vector<Vec3>& p, bool strip)
+      const vtkIdType id = original ? original->GetValue(i) : i;
+      if (id >= 0 && isFinite(area))
       {
-        if (this->selection_[this->cellId(index)] == filters::CellState::Hidden)
-        {
-          return;
-        }
-        if (!strip)
-        {
-          const Vec3 area = polygonFacet(p).area;
-          for (vtkIdType k = 0; isFinite(area) && k < ids->GetNumberOfIds(); ++k)
-          {
-            addTo(ids->GetId(k), area);
-          }
-          return;
-        }
-        for (std::size_t k = 0; k + 2 < p.size(); ++k)
-        {
-          const std::size_t flip = k % 2;
-          const Vec3 area = areaOf({ p[k], p[k + 1 + flip], p[k + 2 - flip] });
-          for (std::size_t corner = k; isFinite(area) && corner < k + 3; ++corner)
-          {
-            addTo(ids->GetId(static_cast<vtkIdType>(corner)), area);
-          }
-        }
-      });
+        const auto place =
+          original ? std::lower_bound(pointIds.begin(), pointIds.end(), id) - pointIds.begin() : id;
+        Vec3& sum = sums[static_cast<std::size_t>(place)];
+        sum = sum + area;
+      }
+    };
+    const auto addCell = [&](
+                           vtkIdType index, vtkIdList* ids, const std::vector<Vec3>& p, bool strip)
+    {
+      if (this->selection_[this->cellId(index)] == filters::CellState::Hidden)
+      {
+        return;
+      }
+      if (!strip)
+      {
+        const Vec3 area = polygonFacet(p).area;
+        std::for_each(ids->begin(), ids->end(), [&](vtkIdType i) { addTo(i, area); });
+        return;
+      }
+      for (std::size_t k = 0; k + 2 < p.size(); ++k)
+      {
+        const std::size_t flip = k % 2;
+        const Vec3 area = areaOf({ p[k], p[k + 1 + flip], p[k + 2 - flip] });
+        const vtkIdType* const corners = ids->begin() + k;
+        std::for_each(corners, corners + 3, [&](vtkIdType i) { addTo(i, area); });
+      }
+    };
+    this->eachCell(addCell);
     return sums;
   }
 

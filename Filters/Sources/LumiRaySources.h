@@ -19,7 +19,8 @@ struct RaySource
   Vec3 position;
   Vec3 normal;         ///< unit
   vtkIdType id = -1;   ///< point or cell id within the leaf dataset
-  vtkIdType index = 0; ///< place within the leaf's surface, which tells the faces of one cell apart
+  vtkIdType index = 0; ///< of points the id; of cells their place in the surface, which tells faces
+                       ///< of one cell apart
   int compositeIndex = 0; ///< flat index of the leaf
 };
 
