@@ -26,7 +26,7 @@ void setField(vtkDataObject* object, const char* name, const std::vector<double>
   object->GetFieldData()->AddArray(array);
 }
 
-void setField(vtkDataObject* object, const char* name, const std::string& text)
+void setText(vtkDataObject* object, const char* name, const std::string& text)
 {
   const vtkNew<vtkStringArray> array;
   array->SetName(name);
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkPolyData> light(
 {
   auto result = vtkSmartPointer<vtkPolyData>::New();
   setField(result, "LightSchema", { 1.0 });
-  setField(result, "LightType", type);
-  setField(result, "LightName", name);
+  setText(result, "LightType", type);
+  setText(result, "LightName", name);
   setField(result, "LightSystem", { photometric ? 1.0 : 0.0 });
   return result;
 }

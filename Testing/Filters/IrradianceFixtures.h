@@ -30,7 +30,7 @@ vtkSmartPointer<vtkPolyData> directionalLight(const Point& direction, double nor
 /// A field array of that name, in place of any other of the name.
 ///@{
 void setField(vtkDataObject* object, const char* name, const std::vector<double>& tuple);
-void setField(vtkDataObject* object, const char* name, const std::string& text);
+void setText(vtkDataObject* object, const char* name, const std::string& text);
 ///@}
 
 /// Polygons over points; each list of ids is a polygon.

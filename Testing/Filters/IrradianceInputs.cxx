@@ -62,7 +62,7 @@ TEST(IrradianceInputs, LightsThatAreNone)
 TEST(IrradianceInputs, UnknownLightsAreNamed)
 {
   auto light = pointLight({ 0, 0, 2 }, 1.0, "Torch");
-  setField(light, "LightType", "spot");
+  setText(light, "LightType", "spot");
   expectError(light, "\"spot\"");
   expectError(light, "\"Torch\"");
   light = pointLight({ 0, 0, 2 }, 1.0);

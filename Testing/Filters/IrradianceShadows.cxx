@@ -7,11 +7,13 @@
 #include "vtkLumiDirectionalLight.h"
 #include "vtkLumiPointLight.h"
 
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -42,8 +44,7 @@ void expectShadow(vtkDataSet* floor, bool points = false)
   ASSERT_TRUE(e);
   for (vtkIdType i = 0; i < e->GetNumberOfTuples(); ++i)
   {
-    double bounds[6];
-    floor->GetCellBounds(i, bounds);
+    const double* bounds = points ? nullptr : floor->GetCell(i)->GetBounds();
     const double x = points ? floor->GetPoint(i)[0] : 0.5 * (bounds[0] + bounds[1]);
     if (std::fabs(x + 1.0) > 1e-9)
     {
