@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Run on three ranks: occluders and lights of one rank count on all of them, receivers stay where
+// they are.
+#include "IrradianceFixtures.h"
+
+#include "vtkLumiPointLight.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkMPIController.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+namespace lumitree::testing
+{
+namespace
+{
+
+constexpr char irradiance[] = "Irradiance [W/m^2]";
+
+vtkMPIController* world = nullptr;
+
+int rank()
+{
+  return world->GetLocalProcessId();
+}
+
+/// The part of the floor that a rank has, from x = −4 to 0.8 over all three.
+vtkSmartPointer<vtkPolyData> floorOf(int process)
+{
+  return floorStrip(-4.0 + 1.6 * process, 0.01, 160);
+}
+
+vtkSmartPointer<vtkPolyData> lampOf(int process)
+{
+  return process == 0 ? pointLight({ 3, 0, 4 }, 1000.0, "High")
+                      : pointLight({ 2, 0, 3 }, 100.0, "Low");
+}
+
+/// What one process that has everything gets for the floor of this rank.
+std::vector<double> expected()
+{
+  const vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, floorOf(rank()));
+  scene->SetBlock(1, wall());
+  Irradiance filter(scene, { lampOf(0), lampOf(2) });
+  filter->SetController(nullptr);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter.run());
+  auto* e = vtkDoubleArray::SafeDownCast(
+    vtkDataSet::SafeDownCast(output->GetBlock(0))->GetCellData()->GetArray(irradiance));
+  return { e->GetPointer(0), e->GetPointer(0) + e->GetNumberOfValues() };
+}
+
+void expectSame(vtkDataArray* e)
+{
+  ASSERT_TRUE(e);
+  const std::vector<double> values = expected();
+  ASSERT_EQ(e->GetNumberOfTuples(), static_cast<vtkIdType>(values.size()));
+  int shadowed = 0;
+  for (vtkIdType i = 0; i < e->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_EQ(e->GetComponent(i, 0), values[i]) << i;
+    shadowed += values[i] == 0.0 ? 1 : 0;
+  }
+  if (rank() == 2)
+  {
+    EXPECT_GT(shadowed, 0);
+  }
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> myLamps()
+{
+  if (rank() == 1)
+  {
+    return { vtkSmartPointer<vtkPolyData>::New() };
+  }
+  return { lampOf(rank()) };
+}
+
+TEST(IrradianceRanks, OccludersOfOneRank)
+{
+  Irradiance filter(floorOf(rank()), myLamps());
+  filter->SetController(world);
+  filter->SetOccludersData(rank() == 1 ? wall() : vtkSmartPointer<vtkPolyData>::New());
+  vtkDataArray* e = filter.run(irradiance);
+  EXPECT_EQ(filter.errors, 0) << filter.text;
+  expectSame(e);
+}
+
+TEST(IrradianceRanks, ReceiversShadowEachOther)
+{
+  const vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, floorOf(rank()));
+  if (rank() == 1)
+  {
+    scene->SetBlock(1, wall());
+  }
+  Irradiance filter(scene, myLamps());
+  filter->SetController(world);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter.run());
+  EXPECT_EQ(filter.errors, 0) << filter.text;
+  ASSERT_TRUE(output);
+  expectSame(vtkDataSet::SafeDownCast(output->GetBlock(0))->GetCellData()->GetArray(irradiance));
+}
+
+TEST(IrradianceRanks, ALightSourceCountsOnce)
+{
+  // Every rank runs the source; only its first piece has the light.
+  const vtkNew<vtkLumiPointLight> source;
+  source->SetPosition(3, 0, 4);
+  source->SetFlux(1000.0);
+  Irradiance filter(floorOf(rank()));
+  filter->SetController(world);
+  filter->SetOccludersData(rank() == 1 ? wall() : vtkSmartPointer<vtkPolyData>::New());
+  filter->AddLightsConnection(source->GetOutputPort());
+  filter->AddLightsData(rank() == 0 ? lampOf(2) : vtkSmartPointer<vtkPolyData>::New());
+  filter->UpdatePiece(rank(), world->GetNumberOfProcesses(), 0);
+  EXPECT_EQ(filter.errors, 0) << filter.text;
+  expectSame(
+    vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetCellData()->GetArray(irradiance));
+}
+
+TEST(IrradianceRanks, AWrongLightIsAnErrorEverywhere)
+{
+  auto lamps = myLamps();
+  if (rank() == 2)
+  {
+    setText(lamps[0], "LightType", "spot");
+  }
+  Irradiance filter(floorOf(rank()), lamps);
+  filter->SetController(world);
+  filter.run();
+  EXPECT_EQ(filter.errors, 1) << filter.text;
+  EXPECT_NE(filter.text.find("spot"), std::string::npos) << filter.text;
+}
+
+TEST(IrradianceRanks, SomethingThatIsNoLightIsAnErrorEverywhere)
+{
+  const vtkNew<vtkMultiBlockDataSet> lights;
+  if (rank() == 1)
+  {
+    lights->SetBlock(0, vtkSmartPointer<vtkImageData>::New());
+  }
+  Irradiance filter(floorOf(rank()), myLamps());
+  filter->AddLightsData(lights);
+  filter->SetController(world);
+  filter.run();
+  EXPECT_EQ(filter.errors, 1) << filter.text;
+}
+
+} // namespace
+} // namespace lumitree::testing
+
+int main(int argc, char** argv)
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  lumitree::testing::world = controller;
+  testing::InitGoogleTest(&argc, argv);
+  const int failed = RUN_ALL_TESTS();
+  controller->Finalize();
+  return failed;
+}
