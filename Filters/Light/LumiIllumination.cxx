@@ -147,6 +147,11 @@ IlluminationReport Illumination::addTo(vtkDataSet* data, std::int64_t compositeI
   {
     attributes = data->GetPointData();
   }
+  else
+  {
+    // Viewers prefer active scalars on points, here those of the input.
+    data->GetPointData()->SetActiveScalars(nullptr);
+  }
   IlluminationReport report;
   const std::vector<const Source*> sources = this->lights.sources();
   Receivers receivers = viewOf(input);
