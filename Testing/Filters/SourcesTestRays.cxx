@@ -4,6 +4,7 @@
 
 #include "vtkLumiRays.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkFloatArray.h"
 
 #include <cmath>
@@ -187,6 +188,36 @@ TEST(Rays, PrecisionOfTheOutputCanBeChosen)
   rays->Update();
   EXPECT_EQ(rays->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
   EXPECT_TRUE(vtkFloatArray::SafeDownCast(directions(rays->GetOutput())));
+}
+
+TEST(Rays, AbortLeavesAnEmptyOutput)
+{
+  vtkNew<vtkLumiRays> rays;
+  vtkNew<Messages> messages;
+  messages->watch(rays);
+  rays->SetMode(vtkLumiRays::Random);
+  rays->SetNumberOfRays(200000);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  rays->AddObserver(vtkCommand::ProgressEvent, stop);
+  rays->Update();
+  EXPECT_EQ(rays->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(messages->errors, 0);
+}
+
+TEST(Rays, ValuesAreFixed)
+{
+  // Written down from one machine: another one must find the same bits.
+  vtkNew<vtkLumiRays> rays;
+  rays->SetMode(vtkLumiRays::Random);
+  rays->SetSeed(7);
+  rays->SetNumberOfRays(5);
+  rays->Update();
+  EXPECT_EQ(point(rays->GetOutput(), 4),
+    (Vec3{ 0x1.1b258d1bdd3eap-2, -0x1.4b40256ad8c32p-2, 0x1.6718d3bd09e58p-4 }));
+  EXPECT_EQ(tuple(directions(rays->GetOutput()), 4),
+    (Vec3{ -0x1.c6a48ec4a0046p-1, 0x1.832be7f57539ap-3, -0x1.ad4d52706be64p-2 }));
 }
 
 TEST(Rays, BadPropertiesAreOneErrorAndAnEmptyOutput)

@@ -159,6 +159,16 @@ TEST(SurfaceRays, SeedChoosesTheDirections)
   EXPECT_EQ(tuple(directions(rays->GetOutput()), 3), first);
 }
 
+TEST(SurfaceRays, DirectionsAreFixed)
+{
+  // Written down from one machine: another one must find the same bits.
+  vtkNew<vtkLumiSurfaceRays> rays;
+  rays->SetInputData(square());
+  rays->Update();
+  EXPECT_EQ(tuple(directions(rays->GetOutput()), 37),
+    (Vec3{ -0x1.9dd91b2be91aep-2, -0x1.311b87eeea2a4p-2, 0x1.bac795107b3eap-1 }));
+}
+
 TEST(SurfaceRays, GivenNormalsAreUsed)
 {
   const vtkSmartPointer<vtkPolyData> surface = square();
