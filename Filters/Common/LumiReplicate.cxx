@@ -17,6 +17,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace lumitree::filters
 {
@@ -60,12 +61,21 @@ void copyTuples(vtkDataSetAttributes* source, vtkTypeInt64Array* from, vtkDataSe
   }
 }
 
-vtkTypeInt64Array* idsIn(vtkFieldData* data, const char* name, std::size_t n)
+/// The ids as packed: a reader makes its own choice of class for 64-bit integers.
+vtkSmartPointer<vtkTypeInt64Array> idsIn(vtkFieldData* data, const char* name, std::size_t n)
 {
-  auto* ids = vtkTypeInt64Array::SafeDownCast(data->GetAbstractArray(name));
-  if (!ids || static_cast<std::size_t>(ids->GetNumberOfValues()) != n)
+  auto ids = vtkSmartPointer<vtkTypeInt64Array>::New();
+  vtkDataArray* array = vtkDataArray::SafeDownCast(data->GetAbstractArray(name));
+  const std::size_t found =
+    array ? static_cast<std::size_t>(array->GetNumberOfValues()) : 0; // an empty one is not sent
+  if (found != n)
   {
-    throw std::runtime_error(std::string("a gathered surface lost its array ") + name);
+    throw std::runtime_error("a gathered surface has " + std::to_string(found) + " values of " +
+      name + ", not " + std::to_string(n));
+  }
+  if (array)
+  {
+    ids->DeepCopy(array);
   }
   return ids;
 }
@@ -144,12 +154,12 @@ SurfacePart unpack(vtkPolyData* packed, int process)
       static_cast<std::uint32_t>(ids->GetId(1)), static_cast<std::uint32_t>(ids->GetId(2)) });
   }
 
-  vtkTypeInt64Array* cellIds = idsIn(data->GetCellData(), cellIdsName, own.triangles.size());
+  const auto cellIds = idsIn(data->GetCellData(), cellIdsName, own.triangles.size());
   own.cells.assign(cellIds->GetPointer(0), cellIds->GetPointer(0) + own.triangles.size());
-  vtkTypeInt64Array* pointIds = idsIn(data->GetPointData(), pointIdsName, own.points.count);
+  const auto pointIds = idsIn(data->GetPointData(), pointIdsName, own.points.count);
   own.pointIds = vtkSmartPointer<vtkIdTypeArray>::New();
   own.pointIds->DeepCopy(pointIds);
-  vtkTypeInt64Array* header = idsIn(data->GetFieldData(), headerName, 4);
+  const auto header = idsIn(data->GetFieldData(), headerName, 4);
   own.hiddenCells = static_cast<std::uint64_t>(header->GetValue(1));
   own.duplicateCells = static_cast<std::uint64_t>(header->GetValue(2));
   own.passedOver = static_cast<std::uint64_t>(header->GetValue(3));
