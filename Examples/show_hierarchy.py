@@ -9,11 +9,11 @@ import lumitree
 teapot = lumitree.scene("teapot", resolution=16)
 camera = lumitree.camera_rays(eye=(3, -9, 6), target=(0.2, 0, 1.4), size=(160, 120))
 
-for structure in ("bvh", "wide_bvh"):
-    tree = lumitree.hierarchy(teapot, structure, rays=camera)
+for build in ("longest_axis_median", "binned_sah"):
+    tree = lumitree.hierarchy(teapot, "bvh", bvh_build=build, rays=camera)
     facts = tree.statistics
     print(
-        f"{structure:9} {facts['Nodes']:6} nodes, {facts['Depth']:3} deep, "
+        f"{build:19} {facts['Nodes']:6} nodes, {facts['Depth']} deep, "
         f"SAH cost {facts['SahCost']:.2f}, built in {1e3 * facts['BuildSeconds']:.2f} ms"
     )
 

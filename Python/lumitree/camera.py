@@ -29,18 +29,21 @@ class View:
 def view_of(
     bounds: ArrayLike,
     direction: ArrayLike = (0.5, -1.0, 0.5),
+    *,
+    up: ArrayLike = (0.0, 0.0, 1.0),
     angle: float = 30.0,
     aspect: float = 1.2,
 ) -> View:
     """The view from the side of `direction` that the box `bounds` (x, y and z as low, high) just
     fills.
 
+    up, angle : as of `camera_rays`; up must not lie along the direction.
     aspect : width of the picture by its height.
     """
     low, high = np.asarray(bounds, float).reshape(3, 2).T
     middle = (low + high) / 2
     back = np.asarray(direction, float) / np.linalg.norm(direction)
-    right = np.cross(View.up, back)
+    right = np.cross(up, back)
     right /= np.linalg.norm(right)
     signs = np.array(np.meshgrid(*[(-1, 1)] * 3)).reshape(3, 8).T
     corners = signs * (high - low) / 2 @ np.array([right, np.cross(back, right), back]).T
@@ -49,7 +52,7 @@ def view_of(
         np.maximum(np.abs(corners[:, 0]) / aspect, np.abs(corners[:, 1])) / slope + corners[:, 2]
     )
     distance = 1.05 * float(needed.max()) or 1.0
-    return View(tuple(middle + distance * back), tuple(middle), angle=angle)
+    return View(tuple(middle + distance * back), tuple(middle), tuple(up), angle)
 
 
 def camera_rays(

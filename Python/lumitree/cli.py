@@ -13,7 +13,7 @@ from pathlib import Path
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .camera import View, view_of
+from .camera import View
 from .choices import LENGTH_SYMBOLS, BvhBuild, Precision, ReceiverLocation, Scene, Structure, names
 from .errors import LumitreeError, LumitreeWarning
 from .files import READERS, read
@@ -21,7 +21,10 @@ from .lightspec import parse_light, triple
 from .reports import Report, outer_surface, report_cost, report_hierarchy, report_irradiance
 from .scenes import scene
 from .screen import restart_with_screen, screen_available
-from .stages import Stage, stage_of
+from .stages import DIRECTIONS, Stage, in_the_open, stage_of
+
+#: Formats in which y points up.
+Y_UP = (".obj", ".gltf", ".glb")
 
 EXAMPLES = """
 examples:
@@ -101,6 +104,9 @@ def make_parser() -> argparse.ArgumentParser:
     camera.add_argument("--eye", metavar="x,y,z", help="where it is (default: so that all is seen)")
     camera.add_argument("--target", metavar="x,y,z", help="what it looks at (default: the middle)")
     camera.add_argument(
+        "--up", choices=list(DIRECTIONS), help="default: y for obj, gltf and glb files, otherwise z"
+    )
+    camera.add_argument(
         "--size", default="640x480", metavar="WxH", help="pixels; default: %(default)s"
     )
     camera.add_argument("--no-pictures", action="store_true", help="write data only, no PNG")
@@ -133,11 +139,14 @@ def _run(options: argparse.Namespace) -> None:
     lights = [parse_light(text) for text in options.light or ()]
     size = _size(options.size)
     surface, stage = _load(options)
-    view = stage.view or view_of(surface.GetBounds(), aspect=size[0] / size[1])
+    up = options.up or ("y" if Path(options.mesh).suffix.lower() in Y_UP else "z")
+    view, sun = in_the_open(surface.GetBounds(), up, size[0] / size[1])
+    view = stage.view or view
     if options.eye or options.target:
         view = View(
             eye=triple(options.eye) if options.eye else view.eye,
             target=triple(options.target) if options.target else view.target,
+            up=view.up,
         )
     pictures = not options.no_pictures
     if pictures and not screen_available():
@@ -157,7 +166,7 @@ def _run(options: argparse.Namespace) -> None:
     print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells")
     print("hierarchy  ", report_hierarchy(report, surface))
     print("rays       ", report_cost(report, surface, size))
-    lights = lights or [parse_light(stage.light)]
+    lights = lights or [parse_light(stage.light or sun)]
     light = report_irradiance(report, surface, lights, options.at, options.length_unit)
     print("light      ", light)
     written = sorted(file.name for file in options.out.iterdir())
@@ -175,7 +184,7 @@ def _load(options: argparse.Namespace) -> tuple[vtkPolyData, Stage]:
     surface = outer_surface(read(options.mesh))
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         raise LumitreeError(f"{options.mesh} holds no surface, only points or lines")
-    return surface, stage_of(None)
+    return surface, Stage()
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -31,9 +31,10 @@ from .errors import run
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, E402, I001  isort: skip
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, E402, I001  isort: skip
 
-#: Colours at equal steps, from low to high (after matplotlib's maps of these names, public domain).
+#: Colours at equal steps, from low to high, after matplotlib's maps of these names (public domain);
+#: viridis without its end, as yellow lines are lost on white.
 COLOURS = {
-    "viridis": "440154 482878 3e4a89 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725",
+    "viridis": "440154 482878 3e4a89 31688e 26828e 1f9e89 35b779 6ece58",
     "inferno": "000004 1b0c41 4a0c6b 781c6d a52c60 cf4446 ed6925 fb9b06 f7d13d fcffa4",
 }
 
@@ -57,7 +58,7 @@ def surface_picture(
     """
     on_cells = surface.GetCellData().HasArray(array_name)
     data = surface.GetCellData() if on_cells else surface.GetPointData()
-    scale = _Scale("inferno", _top(from_vtk(data, array_name)))
+    scale = _Scale("inferno", _top(from_vtk(data, array_name), 0.98))
     actor = vtkActor()
     actor.SetMapper(_mapper(surface, scale, array_name, on_cells))
     actor.GetProperty().LightingOff()  # the colours are the light
@@ -76,7 +77,8 @@ def boxes_picture(
     view: View | None = None,
 ) -> None:
     """The lines of `boxes` coloured by a cell array, around the translucent surface."""
-    scale = _Scale("viridis", float(from_vtk(boxes.GetCellData(), array_name).max()))
+    values = from_vtk(boxes.GetCellData(), array_name)
+    scale = _Scale("viridis", float(values.max()), whole=values.dtype.kind == "i")
     lines = vtkActor()
     lines.SetMapper(_mapper(boxes, scale, array_name, on_cells=True))
     lines.GetProperty().LightingOff()
@@ -90,7 +92,8 @@ def image_picture(
     path: str | os.PathLike, image: vtkImageData, array_name: str, title: str
 ) -> None:
     """An image coloured by one of its point arrays, pixel by pixel, from 0 up."""
-    scale = _Scale("inferno", _top(from_vtk(image.GetPointData(), array_name)))
+    values = from_vtk(image.GetPointData(), array_name)
+    scale = _Scale("inferno", _top(values, 0.998), whole=values.dtype.kind == "i")
     flat = vtkImageData()
     flat.SetDimensions(image.GetDimensions())
     flat.GetPointData().SetScalars(image.GetPointData().GetArray(array_name))
@@ -106,12 +109,14 @@ def image_picture(
 
 
 class _Scale:
-    """Colours for the values from 0 to a round number not below `top`."""
+    """Colours for the values from 0 to a round number not below `top`, with labels at round, or whole,
+    numbers."""
 
-    def __init__(self, colours: str, top: float) -> None:
+    def __init__(self, colours: str, top: float, whole: bool = False) -> None:
         top = top if top > 0.0 else 1.0
         step = 10.0 ** np.floor(np.log10(top / 5))
         step *= next(factor for factor in (1, 2, 5, 10) if factor * step * 6 >= top)
+        step = max(step, 1.0) if whole else step
         steps = int(np.ceil(top / step - 1e-9))
         self.labels = [i * step for i in range(steps + 1)]
         self.table = _table(colours, self.labels[-1])
@@ -143,10 +148,11 @@ class _Scale:
         return bar
 
 
-def _top(values: np.ndarray) -> float:
+def _top(values: np.ndarray, part: float) -> float:
+    """What `part` of the finite values lie below, if that is above 0."""
     finite = values[np.isfinite(values)]
-    for part in (0.98, 1.0):
-        top = float(np.quantile(finite, part)) if finite.size else 0.0
+    for share in (part, 1.0):
+        top = float(np.quantile(finite, share)) if finite.size else 0.0
         if top > 0.0:
             return top
     return 1.0
@@ -190,7 +196,9 @@ def _plain(surface: vtkPolyData) -> vtkActor:
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.72, 0.75, 0.80)
+    actor.GetProperty().SetColor(0.78, 0.81, 0.86)
+    actor.GetProperty().SetAmbient(0.45)
+    actor.GetProperty().SetDiffuse(0.55)
     return actor
 
 
@@ -212,7 +220,8 @@ def _render(
         camera.SetViewAngle(view.angle)
         renderer.ResetCameraClippingRange()
         first, last = camera.GetClippingRange()
-        camera.SetClippingRange(max(first, view.near), last)
+        # VTK's choice would cut off what is small and close in a big room.
+        camera.SetClippingRange(view.near or min(first, camera.GetDistance() / 100), last)
     else:
         camera.ParallelProjectionOn()
         renderer.ResetCamera()

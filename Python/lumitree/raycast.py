@@ -72,7 +72,7 @@ class Caster:
     """Casts rays at one mesh, again and again: what is built over the mesh is built once.
 
     mesh : a vtkDataSet or a composite of them, ``(points, triangles)``, or a file's name, see
-        `as_surface`. numpy arrays are shared, not copied: do not change them while this is in use.
+        `as_surface`. Points in numpy are shared: do not change them while this is in use.
     structure : ``"auto"``, ``"brute_force"``, ``"bvh"``, ``"wide_bvh"``, ``"grid"``, ``"octree"``,
         ``"kd_tree"``, ``"bsp_tree"``, ``"embree"`` or ``"cgal"``. One that this build lacks is an
         error.

@@ -28,7 +28,7 @@ from .trees import hierarchy
 METRES = (1.0, 1e-3, 1e-2, 1e3, 0.0254, 0.3048)  #: per unit, by LengthUnit
 
 #: Boxes in a picture of a hierarchy: more hide each other.
-PICTURE_BOXES = 1200
+PICTURE_BOXES = 520
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,8 @@ def report_hierarchy(report: Report, surface: vtkPolyData) -> str:
     return (
         f"{facts['Structure']}: {facts['Primitives']:,} triangles in {facts['Nodes']:,} nodes, "
         f"{facts['Leaves']:,} of them leaves, {facts['Depth']} deep, "
-        f"SAH cost {facts['SahCost']:.4g}, {facts['MemoryBytes'] / 1e6:.3g} MB, built in {facts['BuildSeconds'] * 1e3:.3g} ms"
+        f"SAH cost {facts['SahCost']:.4g}, {facts['MemoryBytes'] / 1e6:.3g} MB, "
+        f"built in {facts['BuildSeconds'] * 1e3:.3g} ms"
     )
 
 

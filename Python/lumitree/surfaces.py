@@ -9,7 +9,8 @@ from typing import Union
 
 import numpy as np
 from numpy.typing import ArrayLike
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkConstants import VTK_ID_TYPE
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
@@ -30,7 +31,8 @@ def as_surface(mesh: Mesh, argument: str = "mesh") -> vtkDataObject:
     """The VTK data object of `mesh`.
 
     A VTK object is returned as it is. Of ``(points, triangles)``, of shapes (n, 3) and (m, 3), it
-    is a vtkPolyData that shares the arrays' memory: float32 and float64 points are not converted.
+    is a vtkPolyData on the memory of `points` (float32 and float64 are not converted), with a copy
+    of `triangles`.
     A string or a path is read from disk, see `read`.
 
     Raises ValueError for other types, wrong shapes, and point ids that are out of range.
@@ -48,7 +50,7 @@ def as_surface(mesh: Mesh, argument: str = "mesh") -> vtkDataObject:
 
 
 def triangles_to_polydata(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
-    """A vtkPolyData of triangles, on the arrays' memory."""
+    """A vtkPolyData of triangles, on the memory of `points`."""
     coordinates = floats(points, "points")
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         raise ValueError(f"points must have shape (n, 3), not {coordinates.shape}")
@@ -64,11 +66,11 @@ def triangles_to_polydata(points: ArrayLike, triangles: ArrayLike) -> vtkPolyDat
             f"triangles must hold point ids from 0 to {len(coordinates) - 1}, "
             f"but they go from {ids.min()} to {ids.max()}"
         )
+    # A copy: vtkCellArray takes the memory out of the arrays it is given, which then could not keep
+    # numpy's memory alive.
+    starts = np.arange(0, 3 * len(ids) + 1, 3)
     cells = vtkCellArray()
-    cells.SetData(
-        numpy_to_vtkIdTypeArray(np.arange(0, 3 * len(ids) + 1, 3, dtype=np.int64)),
-        numpy_to_vtkIdTypeArray(np.ascontiguousarray(ids, dtype=np.int64).ravel()),
-    )
+    cells.SetData(*(numpy_to_vtk(part, True, VTK_ID_TYPE) for part in (starts, ids.ravel())))
     vtk_points = vtkPoints()
     vtk_points.SetData(to_vtk(coordinates))
     result = vtkPolyData()

@@ -35,6 +35,9 @@ def hierarchy(
     structure: Structure | str = "auto",
     rays: vtkDataSet | None = None,
     *,
+    max_level: int = 10,
+    leaves: bool = False,
+    as_faces: bool = False,
     bvh_build: BvhBuild | str = "binned_sah",
     leaf_size: int = 4,
     threads: int = 0,
@@ -45,6 +48,9 @@ def hierarchy(
     mesh, structure, bvh_build, leaf_size, threads : as of `Caster`.
     rays : a data set of rays, such as of `camera_rays`; each node then tells how many of them
         entered it.
+    max_level : the deepest level that is drawn, 0 to 64; statistics are of the whole tree.
+    leaves : whether a last block ``Leaves`` holds all leaves again.
+    as_faces : draw a node as six faces instead of twelve lines.
 
     Raises ValueError for wrong names and types, LumitreeError for what the filter refuses.
     """
@@ -54,8 +60,11 @@ def hierarchy(
     tree.SetBvhBuild(choose(BvhBuild, bvh_build, "bvh_build"))
     tree.SetLeafSize(in_range(leaf_size, 1, 1024, "leaf_size"))
     tree.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+    tree.SetMaximumLevel(in_range(max_level, 0, 64, "max_level"))
+    tree.SetShowLeaves(bool(leaves))
+    tree.SetRepresentation(tree.Cells if as_faces else tree.Outlines)
     if rays is not None:
-        tree.SetInputDataObject(1, rays)
+        tree.SetRaysData(rays)
     run(tree, progress)
     return Hierarchy(tree.GetOutputDataObject(0), _first_row(tree.GetOutputDataObject(1)))
 

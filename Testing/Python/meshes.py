@@ -25,15 +25,15 @@ def random_triangles(count: int, seed: int = 1, dtype: type = np.float64) -> Arr
     """Unconnected triangles in the unit cube."""
     rng = np.random.default_rng(seed)
     centres = rng.random((count, 1, 3))
-    points = (centres + 0.2 * (rng.random((count, 3, 3)) - 0.5)).reshape(-1, 3).astype(dtype)
+    points = (centres + 0.3 * (rng.random((count, 3, 3)) - 0.5)).reshape(-1, 3).astype(dtype)
     return points, np.arange(3 * count).reshape(-1, 3)
 
 
 def random_rays(count: int, seed: int = 2, dtype: type = np.float64) -> Arrays:
-    """Rays from in and around the unit cube, of any direction and length."""
+    """Rays from in and around the unit cube towards places in it, of any length."""
     rng = np.random.default_rng(seed)
     origins = 3.0 * rng.random((count, 3)) - 1.0
-    directions = rng.normal(size=(count, 3)) * rng.uniform(0.1, 10.0, (count, 1))
+    directions = (rng.random((count, 3)) - origins) * rng.uniform(0.1, 10.0, (count, 1))
     return origins.astype(dtype), directions.astype(dtype)
 
 

@@ -18,7 +18,7 @@ def test_closest_has_a_row_per_ray():
     assert hits.t.dtype == np.float64 and hits.t.tolist() == [2.0, np.inf, 1.0]
     assert hits.hit.dtype == bool and hits.hit.tolist() == [True, False, True]
     assert hits.count.tolist() == [1, 0, 1]
-    assert hits.cell_id.dtype.kind == "i" and hits.cell_id.tolist() == [4, -1, 3]
+    assert hits.cell_id.dtype.kind == "i" and hits.cell_id.tolist() == [5, -1, 3]
     assert hits.composite_index.tolist() == [0, -1, 0]
     assert hits.uv.shape == (3, 2) and hits.normal.shape == (3, 3) and hits.point.shape == (3, 3)
     np.testing.assert_allclose(hits.normal[[0, 2]], [(0, 0, 1)] * 2)
@@ -73,7 +73,7 @@ def test_all_gives_every_hit_in_order():
     assert hits.offsets.tolist() == [0, 3, 3, 5]
     assert hits.ray_id.tolist() == [0, 0, 0, 2, 2]
     assert hits.t.tolist() == [2.0, 4.0, 5.0, 1.0, 2.0]
-    assert hits.cell_id.tolist() == [4, 2, 0, 3, 1]
+    assert hits.cell_id.tolist() == [5, 3, 1, 3, 1]
     assert hits.count.tolist() == [3, 0, 2] and hits.hit.tolist() == [True, False, True]
     assert hits.uv.shape == (5, 2) and hits.normal.shape == (5, 3) and hits.point.shape == (5, 3)
 

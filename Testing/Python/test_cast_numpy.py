@@ -4,14 +4,12 @@
 
 import numpy as np
 import pytest
-from conftest import OWN_STRUCTURES
 from meshes import moller_trumbore, random_rays, random_triangles
 
 import lumitree
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize("structure", ["auto", *OWN_STRUCTURES])
 @pytest.mark.parametrize("precision", ["fast", "watertight", "exact"])
 def test_every_query_agrees(structure, precision, dtype):
     mesh, rays = random_triangles(300, dtype=dtype), random_rays(400, dtype=dtype)

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 from meshes import floor, joined
+from vtkmodules.vtkFiltersSources import vtkLineSource
 
 import lumitree
 from lumitree.lightspec import parse_light
@@ -113,7 +114,9 @@ def test_what_is_wrong_is_told_and_the_code_is_2(mesh, in_tmp, arguments, messag
     (in_tmp / "bad.stl").write_text("no mesh\n")
     (in_tmp / "empty.obj").touch()
     (in_tmp / "a.xyz").touch()
-    lumitree.write(lumitree.rays((0, 0, 0), (0, 0, 1)), "line.vtp")
+    line = vtkLineSource()
+    line.Update()
+    lumitree.write(line.GetOutput(), "line.vtp")
     done = run(*arguments, "--no-pictures", code=2)
     assert message in done.stderr
     assert done.stderr.count("\n") == 1 or "usage:" in done.stderr

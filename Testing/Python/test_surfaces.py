@@ -31,7 +31,7 @@ def test_a_composite_is_one_scene():
 def test_of_a_volume_it_is_the_outer_surface():
     block = vtkImageData()
     block.SetDimensions(3, 3, 3)
-    hits = lumitree.cast(block, (0.5, 1.5, 9.0), DOWN, query="all")
+    hits = lumitree.cast(block, (0.3, 1.6, 9.0), DOWN, query="all")
     assert hits.t.tolist() == [7.0, 9.0]
     assert hits.cell_id.tolist() == [6, 2]  # the voxels
 

@@ -4,7 +4,6 @@
 
 import numpy as np
 import pytest
-from conftest import OWN_STRUCTURES
 from meshes import random_rays, random_triangles
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -13,7 +12,6 @@ import lumitree
 MESH = random_triangles(500)
 
 
-@pytest.mark.parametrize("structure", OWN_STRUCTURES)
 def test_statistics(structure):
     facts = lumitree.hierarchy(MESH, structure).statistics
     assert facts["Structure"] == structure
