@@ -17,7 +17,7 @@ constexpr std::size_t bruteForceLimit = 8;
 
 Structure choose(const Surface& surface)
 {
-  return surface.hittable().size() <= bruteForceLimit ? Structure::BruteForce : Structure::Bvh;
+  return surface.hittable().size() <= bruteForceLimit ? Structure::BruteForce : Structure::WideBvh;
 }
 
 void checkRange(const char* what, int value, int low, int high)

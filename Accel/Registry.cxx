@@ -4,6 +4,7 @@
 
 #include "Accel/Structures/BruteForce.h"
 #include "Accel/Structures/Bvh.h"
+#include "Accel/Structures/WideBvh.h"
 
 #include <map>
 #include <mutex>
@@ -22,6 +23,7 @@ Registry::Registry()
 {
   this->add({ Structure::BruteForce, "every primitive, every ray", buildBruteForce });
   this->add({ Structure::Bvh, "binary bounding volume hierarchy", buildBvh });
+  this->add({ Structure::WideBvh, "eight-wide bounding volume hierarchy", buildWideBvh });
 }
 
 Registry::~Registry() = default;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Kernel/BatchRunner.h"
 
+#include "Accel/Kernel/Finish.h"
 #include "Accel/Kernel/Queries.h"
 #include "Accel/Parallel.h"
 
@@ -25,8 +26,12 @@ public:
     , rays_(rays)
     , options_(options)
     , state_(runner.surface_)
-    , kernel_(leafKernel(runner.surface_.scalar(), options.precision, query))
+    , leafKernel_(leafKernel(runner.surface_.scalar(), options.precision, query))
   {
+    if (runner.walks_.kernel)
+    {
+      this->rayKernel_ = runner.walks_.kernel(runner.surface_.scalar(), options.precision, query);
+    }
     if (options.perNode)
     {
       this->visits_.resize(runner.nodeCount_);
@@ -45,14 +50,18 @@ public:
       this->setSkips(i);
       if (this->options_.perRay || this->options_.perNode)
       {
-        CountingVisitor visitor(this->state_, this->kernel_, this->runner_.blocks_, counters,
+        CountingVisitor visitor(this->state_, this->leafKernel_, this->runner_.blocks_, counters,
           this->options_.perNode ? this->visits_.data() : nullptr);
-        this->runner_.walks_.counting(this->runner_.structure_, this->state_.box, visitor);
+        this->runner_.walks_.counting(this->runner_.structure_, this->state_, visitor);
+      }
+      else if (this->rayKernel_)
+      {
+        this->rayKernel_(this->runner_.structure_, this->runner_.blocks_, this->state_);
       }
       else
       {
-        LeafVisitor visitor(this->state_, this->kernel_, this->runner_.blocks_);
-        this->runner_.walks_.plain(this->runner_.structure_, this->state_.box, visitor);
+        LeafVisitor visitor(this->state_, this->leafKernel_, this->runner_.blocks_);
+        this->runner_.walks_.plain(this->runner_.structure_, this->state_, visitor);
       }
     }
     if (this->options_.perRay)
@@ -91,12 +100,13 @@ private:
   const RayBatch& rays_;
   const QueryOptions& options_;
   RayState state_;
-  LeafKernel kernel_;
+  LeafKernel leafKernel_;
+  RayKernel rayKernel_ = nullptr;
   std::uint64_t invalid_ = 0;
   std::vector<std::uint64_t> visits_;
 };
 
-BatchRunner::BatchRunner(const Surface& surface, const void* structure, WalkFunctions walks,
+BatchRunner::BatchRunner(const Surface& surface, const void* structure, StructureWalks walks,
   const void* blocks, std::size_t nodeCount)
   : surface_(surface)
   , structure_(structure)

@@ -4,7 +4,7 @@
 #define Lumitree_Accel_Kernel_BatchRunner_h
 
 #include "Accel/Accelerator.h"
-#include "Accel/Kernel/RayBox.h"
+#include "Accel/Kernel/RayKernel.h"
 #include "Accel/Kernel/Visitors.h"
 
 #include <functional>
@@ -12,23 +12,27 @@
 namespace lumitree
 {
 
-/// Walks one ray through a structure; the two forms of a structure's walk behind one pointer each.
-struct WalkFunctions
+/// How one ray goes through a structure.
+struct StructureWalks
 {
-  void (*plain)(const void* structure, const RayBox&, LeafVisitor&) = nullptr;
-  void (*counting)(const void* structure, const RayBox&, CountingVisitor&) = nullptr;
+  /// Node test and leaf test in one function; null where the leaf stands behind the visitor.
+  RayKernelChooser kernel = nullptr;
+  void (*plain)(const void* structure, RayState&, LeafVisitor&) = nullptr;
+  void (*counting)(const void* structure, RayState&, CountingVisitor&) = nullptr;
 };
 
 /// The walks of a structure that offers `template <class V> void walk(const RayBox&, V&) const`.
 template <class Tree>
-WalkFunctions walkFunctions()
+StructureWalks baselineWalks()
 {
-  return { [](const void* tree, const RayBox& ray, LeafVisitor& visitor) {
-            static_cast<const Tree*>(tree)->walk(ray, visitor);
-          },
-    [](const void* tree, const RayBox& ray, CountingVisitor& visitor) {
-      static_cast<const Tree*>(tree)->walk(ray, visitor);
-    } };
+  StructureWalks walks;
+  walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor) {
+    static_cast<const Tree*>(tree)->walk(state.box, visitor);
+  };
+  walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor) {
+    static_cast<const Tree*>(tree)->walk(state.box, visitor);
+  };
+  return walks;
 }
 
 /// Answers batches by walking ray after ray: threads, counters, validity, skipping and the order of all hits, once for
@@ -36,7 +40,7 @@ WalkFunctions walkFunctions()
 class BatchRunner
 {
 public:
-  BatchRunner(const Surface& surface, const void* structure, WalkFunctions walks,
+  BatchRunner(const Surface& surface, const void* structure, StructureWalks walks,
     const void* blocks, std::size_t nodeCount);
 
   QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const;
@@ -53,7 +57,7 @@ private:
 
   const Surface& surface_;
   const void* structure_;
-  WalkFunctions walks_;
+  StructureWalks walks_;
   const void* blocks_;
   std::size_t nodeCount_;
 };

@@ -47,15 +47,6 @@ struct EdgeValues
   double error = 0.0;
 };
 
-/// The edge functions of four triangles.
-struct EdgeBlock
-{
-  double u[blockWidth];
-  double v[blockWidth];
-  double w[blockWidth];
-  double error[blockWidth];
-};
-
 /// d · (e x p)
 inline double edgeFunction(double dx, double dy, double dz, double ex, double ey, double ez,
   double px, double py, double pz)
@@ -63,46 +54,20 @@ inline double edgeFunction(double dx, double dy, double dz, double ex, double ey
   return (dx * (ey * pz - ez * py) + dy * (ez * px - ex * pz)) + dz * (ex * py - ey * px);
 }
 
-/// The arithmetic of one lane; every width of it gives the same bits.
-template <class T>
-inline void edgeFunctions(const FilterRay& ray, const TriangleBlock<T>& block, EdgeBlock& out)
-{
-  const double dx = ray.direction[0];
-  const double dy = ray.direction[1];
-  const double dz = ray.direction[2];
-  for (int i = 0; i < blockWidth; ++i)
-  {
-    const double x0 = block.v[0][i], y0 = block.v[1][i], z0 = block.v[2][i];
-    const double x1 = block.v[3][i], y1 = block.v[4][i], z1 = block.v[5][i];
-    const double x2 = block.v[6][i], y2 = block.v[7][i], z2 = block.v[8][i];
-    const double ax = x0 - ray.origin[0], ay = y0 - ray.origin[1], az = z0 - ray.origin[2];
-    const double bx = x1 - ray.origin[0], by = y1 - ray.origin[1], bz = z1 - ray.origin[2];
-    const double cx = x2 - ray.origin[0], cy = y2 - ray.origin[1], cz = z2 - ray.origin[2];
-    out.u[i] = edgeFunction(dx, dy, dz, x2 - x1, y2 - y1, z2 - z1, bx, by, bz);
-    out.v[i] = edgeFunction(dx, dy, dz, x0 - x2, y0 - y2, z0 - z2, cx, cy, cz);
-    out.w[i] = edgeFunction(dx, dy, dz, x1 - x0, y1 - y0, z1 - z0, ax, ay, az);
-    const double m = std::max(std::max(std::max(std::fabs(ax), std::fabs(ay)),
-                                std::max(std::fabs(az), std::fabs(bx))),
-      std::max(std::max(std::max(std::fabs(by), std::fabs(bz)), std::fabs(cx)),
-        std::max(std::fabs(cy), std::fabs(cz))));
-    out.error[i] = 2.0 * block.edge * m * ray.oneNorm * (FilterRay::edgeBound / 2) + ray.boundFloor;
-  }
-}
-
 /// Certainly no hit: one edge function is certainly negative and another certainly positive.
 inline bool surelyMissed(const EdgeValues& e)
 {
-  const double low = std::min(e.u, std::min(e.v, e.w));
-  const double high = std::max(e.u, std::max(e.v, e.w));
-  return low < -e.error && high > e.error;
+  const bool negative = e.u < -e.error || e.v < -e.error || e.w < -e.error;
+  const bool positive = e.u > e.error || e.v > e.error || e.w > e.error;
+  return negative && positive;
 }
 
 /// Certainly a hit of the triangle's interior by the ray's line.
 inline bool surelyHit(const EdgeValues& e)
 {
-  const double low = std::min(e.u, std::min(e.v, e.w));
-  const double high = std::max(e.u, std::max(e.v, e.w));
-  return low > e.error || high < -e.error;
+  const bool negative = e.u < -e.error && e.v < -e.error && e.w < -e.error;
+  const bool positive = e.u > e.error && e.v > e.error && e.w > e.error;
+  return negative || positive;
 }
 
 /// What plain floating point says: all edge functions of one sign, their sum not 0.

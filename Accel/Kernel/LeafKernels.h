@@ -13,15 +13,9 @@ namespace lumitree
 /// TriangleBlocks<T> of the scalar type the kernel was chosen for.
 using LeafKernel = void (*)(RayState& state, const void* blocks, const Span& span);
 
-/// The kernel for a scalar type, precision and query. Kernels stand behind a pointer so that structures do not multiply
-/// with precisions and queries.
+/// The kernel for a scalar type, precision and query, for the best instruction set at hand. Kernels stand behind a pointer
+/// so that structures do not multiply with precisions and queries.
 [[nodiscard]] LeafKernel leafKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query);
-
-/// Orders what All or Count collected, by the precision's order, duplicates dropped.
-void arrange(RayState& state, Precision precision);
-
-/// The hit of a primitive known to be hit: a pure function of ray and primitive.
-[[nodiscard]] Hit finish(const RayState& state, PrimitiveId primitive, Precision precision);
 
 } // namespace lumitree
 

@@ -9,8 +9,10 @@
 namespace lumitree
 {
 
-/// A precision says which lanes of the filter are candidates, settles each (does the segment hit the primitive?) and
-/// orders two that are hit.
+/// A precision says whether the filter keeps what it is not certain about, settles each candidate (does the segment hit
+/// the primitive?) and orders two that are hit.
+
+using Corners = std::array<Vec3, 3>;
 
 /// The order of hits that floating point only nearly knows: by the key, then by primitive. The key is t, but not less than
 /// the t at which the ray enters the primitive's own box, and a primitive whose box the ray does not meet is not hit. So
@@ -18,7 +20,7 @@ namespace lumitree
 struct OrderByKey
 {
   static bool place(
-    const RayState& state, const std::array<Vec3, 3>& vertices, double t, Candidate& c)
+    const RayState& state, const Corners& vertices, double t, Candidate& c)
   {
     Box box;
     for (const Vec3& vertex : vertices)
@@ -42,13 +44,12 @@ struct OrderByKey
 /// Floating point as it comes: a hit and its t are what double arithmetic says.
 struct FastPrecision : OrderByKey
 {
-  static bool mayHit(const EdgeValues& e) { return apparentlyHit(e); }
+  static constexpr bool certain = false;
 
-  static bool settle(RayState& state, Candidate& c)
+  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const auto vertices = state.surface.vertices(c.primitive);
     const Crossing x = crossing(state.filter, vertices);
-    return x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x.t, c);
+    return apparentlyHit(x.edges) && x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x.t, c);
   }
 };
 
@@ -56,11 +57,10 @@ struct FastPrecision : OrderByKey
 /// crossing point is never ruled out.
 struct WatertightPrecision : OrderByKey
 {
-  static bool mayHit(const EdgeValues& e) { return !surelyMissed(e); }
+  static constexpr bool certain = true;
 
-  static bool settle(RayState& state, Candidate& c)
+  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const auto vertices = state.surface.vertices(c.primitive);
     const Crossing x = crossing(state.filter, vertices);
     state.exactTests += surelyHit(x.edges) ? 0 : 1;
     // By the triangle's own bound: a block's depends on which triangles share it.
@@ -72,11 +72,10 @@ struct WatertightPrecision : OrderByKey
 /// What rational arithmetic on the stored numbers says: the filter decides nearly always, exact arithmetic the rest.
 struct ExactPrecision
 {
-  static bool mayHit(const EdgeValues& e) { return !surelyMissed(e); }
+  static constexpr bool certain = true;
 
-  static bool settle(RayState& state, Candidate& c)
+  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const auto vertices = state.surface.vertices(c.primitive);
     const Crossing x = crossing(state.filter, vertices);
     if (!surelyHit(x.edges))
     {
@@ -116,7 +115,7 @@ struct ExactPrecision
 
 private:
   static bool atLeast(
-    RayState& state, const std::array<Vec3, 3>& vertices, const Crossing& x, double limit)
+    RayState& state, const Corners& vertices, const Crossing& x, double limit)
   {
     if (x.tLow >= limit)
     {
@@ -130,7 +129,7 @@ private:
     return exact::compareCrossing(state.ray, vertices, limit) >= 0;
   }
 
-  static bool atMost(RayState& state, const std::array<Vec3, 3>& vertices, const Crossing& x)
+  static bool atMost(RayState& state, const Corners& vertices, const Crossing& x)
   {
     if (x.tHigh <= state.ray.tMax)
     {

@@ -4,31 +4,20 @@
 #define Lumitree_Accel_Kernel_TreeAccelerator_h
 
 #include "Accel/Kernel/BatchRunner.h"
+#include "Accel/Kernel/LeafBlocks.h"
 
 #include <chrono>
 #include <memory>
-#include <variant>
 
 namespace lumitree
 {
 
-/// Blocks of the surface's own scalar type.
-using LeafBlocks = std::variant<TriangleBlocks<float>, TriangleBlocks<double>>;
-
-[[nodiscard]] inline LeafBlocks makeLeafBlocks(const Surface& surface)
-{
-  if (surface.scalar() == ArrayView::Scalar::Float)
-  {
-    return TriangleBlocks<float>{};
-  }
-  return TriangleBlocks<double>{};
-}
-
 /// An accelerator from a structure that only builds, walks and shows itself:
 ///
 ///     Tree(const Surface&, const BuildOptions&, LeafBlocks&);
-///     template <class Visitor> void walk(const RayBox&, Visitor&) const;
-///     HierarchyView view() const;
+///     static StructureWalks walks();
+///     const void* walked() const; // what the walks take as their structure
+///     HierarchyView view(const LeafBlocks&) const;
 ///     std::size_t memory() const;
 template <class Tree>
 class TreeAccelerator final : public Accelerator
@@ -73,12 +62,12 @@ public:
     return this->runner().count(rays, counts, options);
   }
 
-  [[nodiscard]] HierarchyView hierarchy() const override { return this->tree_->view(); }
+  [[nodiscard]] HierarchyView hierarchy() const override { return this->tree_->view(this->blocks_); }
 
 private:
   [[nodiscard]] BatchRunner runner() const
   {
-    return BatchRunner(this->surface(), this->tree_.get(), walkFunctions<Tree>(),
+    return BatchRunner(this->surface(), this->tree_->walked(), Tree::walks(),
       std::visit([](const auto& blocks) -> const void* { return &blocks; }, this->blocks_),
       this->statistics_.nodes);
   }

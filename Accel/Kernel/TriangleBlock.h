@@ -20,6 +20,13 @@ struct TriangleBlock
   T v[9][blockWidth]; ///< x, y, z of vertex 0, then of vertices 1 and 2
   PrimitiveId id[blockWidth];
   double edge; ///< no component of an edge of these triangles is larger, computed as stored - stored
+
+  [[nodiscard]] std::array<Vec3, 3> corners(int lane) const
+  {
+    return { Vec3{ this->v[0][lane], this->v[1][lane], this->v[2][lane] },
+      Vec3{ this->v[3][lane], this->v[4][lane], this->v[5][lane] },
+      Vec3{ this->v[6][lane], this->v[7][lane], this->v[8][lane] } };
+  }
 };
 
 /// The triangles of a structure's leaves, each leaf beginning with a block of its own.

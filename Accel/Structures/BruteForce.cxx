@@ -20,6 +20,9 @@ public:
     std::visit([&](auto& store) { store.append(surface, all.data(), all.size()); }, blocks);
   }
 
+  [[nodiscard]] const void* walked() const { return this; }
+  static StructureWalks walks() { return baselineWalks<BruteForce>(); }
+
   template <class Visitor>
   void walk(const RayBox& ray, Visitor& visitor) const
   {
@@ -27,7 +30,7 @@ public:
     visitor.leaf({ 0, static_cast<std::uint32_t>(this->surface_.hittable().size()), ray.tMin() });
   }
 
-  [[nodiscard]] HierarchyView view() const
+  [[nodiscard]] HierarchyView view(const LeafBlocks&) const
   {
     HierarchyView view;
     view.references = this->surface_.hittable();

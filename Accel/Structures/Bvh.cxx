@@ -37,6 +37,9 @@ public:
       blocks);
   }
 
+  [[nodiscard]] const void* walked() const { return this; }
+  static StructureWalks walks() { return baselineWalks<Bvh>(); }
+
   /// Nearer child first; a child is entered only if its box is met before the best hit so far.
   template <class Visitor>
   void walk(const RayBox& ray, Visitor& visitor) const
@@ -94,7 +97,7 @@ public:
     }
   }
 
-  [[nodiscard]] HierarchyView view() const
+  [[nodiscard]] HierarchyView view(const LeafBlocks&) const
   {
     HierarchyView view;
     view.references = this->bvh_.references;

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once per instruction set (Highway's scheme), so without an ordinary guard.
+#if defined(LUMITREE_BLOCK_FILTER_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LUMITREE_BLOCK_FILTER_INL
+#undef LUMITREE_BLOCK_FILTER_INL
+#else
+#define LUMITREE_BLOCK_FILTER_INL
+#endif
+
+#include "Accel/Kernel/Simd-inl.h"
+
+#include "Accel/Kernel/EdgeFilter.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lumitree
+{
+namespace HWY_NAMESPACE
+{
+
+/// d · (e x p), in the order of operations of the scalar edgeFunction.
+HWY_INLINE Double4 edgeFunctions(const Double4 d[3], const Double4 e[3], const Double4 p[3])
+{
+  return (d[0] * (e[1] * p[2] - e[2] * p[1]) + d[1] * (e[2] * p[0] - e[0] * p[2])) +
+    d[2] * (e[0] * p[1] - e[1] * p[0]);
+}
+
+/// The lanes of a block that the precision may count as hit, as bits. Certain: lanes whose edge functions certainly have both
+/// signs are out. Otherwise (Fast) lanes whose edge functions have both signs are out.
+template <bool Certain, class T>
+HWY_INLINE unsigned candidateLanes(const FilterRay& ray, const TriangleBlock<T>& block)
+{
+  Double4 d[3];
+  Double4 vertex[3][3];
+  Double4 p[3][3];
+  Double4 m = Double4::all(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    d[k] = Double4::all(ray.direction[k]);
+    const Double4 origin = Double4::all(ray.origin[k]);
+    for (int i = 0; i < 3; ++i)
+    {
+      vertex[i][k] = loadDoubles(block.v[3 * i + k]);
+      p[i][k] = vertex[i][k] - origin;
+      if constexpr (Certain)
+      {
+        m = raise(absolute(p[i][k]), m);
+      }
+    }
+  }
+  Double4 f[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const int from = (i + 1) % 3;
+    const int to = (i + 2) % 3;
+    const Double4 edge[3] = { vertex[to][0] - vertex[from][0], vertex[to][1] - vertex[from][1],
+      vertex[to][2] - vertex[from][2] };
+    f[i] = edgeFunctions(d, edge, p[from]);
+  }
+  Double4 error = Double4::all(0.0);
+  if constexpr (Certain)
+  {
+    error = Double4::all(2.0 * block.edge) * m * Double4::all(ray.oneNorm) *
+        Double4::all(FilterRay::edgeBound / 2) +
+      Double4::all(ray.boundFloor);
+  }
+  const Double4 below = Double4::all(0.0) - error;
+  const unsigned negative =
+    bitsLess(f[0], below) | bitsLess(f[1], below) | bitsLess(f[2], below);
+  const unsigned positive =
+    bitsLess(error, f[0]) | bitsLess(error, f[1]) | bitsLess(error, f[2]);
+  return ~(negative & positive) & ((1u << blockWidth) - 1u);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace lumitree
+HWY_AFTER_NAMESPACE();
+
+#endif

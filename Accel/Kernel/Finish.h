@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Kernel_Finish_h
+#define Lumitree_Accel_Kernel_Finish_h
+
+#include "Accel/Choices.h"
+#include "Accel/Kernel/RayState.h"
+
+namespace lumitree
+{
+
+/// Orders what All or Count collected, by the precision's order, duplicates dropped.
+void arrange(RayState& state, Precision precision);
+
+/// The hit of a primitive known to be hit: a pure function of ray and primitive, the same bits from every structure.
+[[nodiscard]] Hit finish(const RayState& state, PrimitiveId primitive, Precision precision);
+
+} // namespace lumitree
+
+#endif

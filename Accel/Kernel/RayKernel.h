@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Kernel_RayKernel_h
+#define Lumitree_Accel_Kernel_RayKernel_h
+
+#include "Accel/Choices.h"
+#include "Accel/Kernel/RayState.h"
+
+namespace lumitree
+{
+
+/// Takes one ray, started in state, through a whole structure.
+using RayKernel = void (*)(const void* structure, const void* blocks, RayState& state);
+
+/// Chooses the kernel for a scalar type, precision and query.
+using RayKernelChooser = RayKernel (*)(ArrayView::Scalar, Precision, QueryKind);
+
+} // namespace lumitree
+
+#endif

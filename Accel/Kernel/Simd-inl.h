@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once per instruction set (Highway's scheme), so without an ordinary guard.
+#if defined(LUMITREE_SIMD_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LUMITREE_SIMD_INL
+#undef LUMITREE_SIMD_INL
+#else
+#define LUMITREE_SIMD_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace lumitree
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// N numbers in as many registers as the instruction set needs: the width of the algorithm is the same everywhere, and
+/// so are the bits. Nothing is fused, no reciprocal is approximate.
+template <class T, int N>
+struct Pack
+{
+  using Tag = hn::CappedTag<T, N>;
+  using Register = hn::Vec<Tag>;
+  static constexpr int lanes = static_cast<int>(hn::MaxLanes(Tag()));
+  static constexpr int parts = N / lanes;
+
+  Register part[parts];
+
+  static HWY_INLINE Pack load(const T* values)
+  {
+    Pack p;
+    for (int i = 0; i < parts; ++i)
+    {
+      p.part[i] = hn::LoadU(Tag(), values + i * lanes);
+    }
+    return p;
+  }
+
+  static HWY_INLINE Pack all(T value)
+  {
+    Pack p;
+    for (int i = 0; i < parts; ++i)
+    {
+      p.part[i] = hn::Set(Tag(), value);
+    }
+    return p;
+  }
+
+  HWY_INLINE void store(T* values) const
+  {
+    for (int i = 0; i < parts; ++i)
+    {
+      hn::StoreU(this->part[i], Tag(), values + i * lanes);
+    }
+  }
+};
+
+template <class P, class F>
+HWY_INLINE P each(const P& a, const P& b, F f)
+{
+  P r;
+  for (int i = 0; i < P::parts; ++i)
+  {
+    r.part[i] = f(a.part[i], b.part[i]);
+  }
+  return r;
+}
+
+template <class T, int N>
+HWY_INLINE Pack<T, N> operator+(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  return each(a, b, [](auto x, auto y) HWY_ATTR { return hn::Add(x, y); });
+}
+
+template <class T, int N>
+HWY_INLINE Pack<T, N> operator-(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  return each(a, b, [](auto x, auto y) HWY_ATTR { return hn::Sub(x, y); });
+}
+
+template <class T, int N>
+HWY_INLINE Pack<T, N> operator*(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  return each(a, b, [](auto x, auto y) HWY_ATTR { return hn::Mul(x, y); });
+}
+
+/// value > accumulator ? value : accumulator, so that a NaN value is ignored.
+template <class T, int N>
+HWY_INLINE Pack<T, N> raise(const Pack<T, N>& value, const Pack<T, N>& accumulator)
+{
+#if HWY_ARCH_X86
+  // maxps gives its second operand when either is NaN.
+  return each(value, accumulator, [](auto x, auto y) HWY_ATTR { return hn::Max(x, y); });
+#else
+  return each(value, accumulator,
+    [](auto x, auto y) HWY_ATTR { return hn::IfThenElse(hn::Gt(x, y), x, y); });
+#endif
+}
+
+/// value < accumulator ? value : accumulator.
+template <class T, int N>
+HWY_INLINE Pack<T, N> lower(const Pack<T, N>& value, const Pack<T, N>& accumulator)
+{
+#if HWY_ARCH_X86
+  return each(value, accumulator, [](auto x, auto y) HWY_ATTR { return hn::Min(x, y); });
+#else
+  return each(value, accumulator,
+    [](auto x, auto y) HWY_ATTR { return hn::IfThenElse(hn::Lt(x, y), x, y); });
+#endif
+}
+
+template <class T, int N>
+HWY_INLINE Pack<T, N> absolute(const Pack<T, N>& a)
+{
+  return each(a, a, [](auto x, auto) HWY_ATTR { return hn::Abs(x); });
+}
+
+/// Bit i is set where the condition holds in lane i.
+template <class P, class F>
+HWY_INLINE unsigned bitsWhere(const P& a, const P& b, F condition)
+{
+  unsigned bits = 0;
+  for (int i = 0; i < P::parts; ++i)
+  {
+    std::uint8_t part[8] = {};
+    hn::StoreMaskBits(typename P::Tag(), condition(a.part[i], b.part[i]), part);
+    bits |= static_cast<unsigned>(part[0]) << (i * P::lanes);
+  }
+  return bits;
+}
+
+template <class T, int N>
+HWY_INLINE unsigned bitsLessEqual(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  return bitsWhere(a, b, [](auto x, auto y) HWY_ATTR { return hn::Le(x, y); });
+}
+
+template <class T, int N>
+HWY_INLINE unsigned bitsLess(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  return bitsWhere(a, b, [](auto x, auto y) HWY_ATTR { return hn::Lt(x, y); });
+}
+
+using Float8 = Pack<float, 8>;
+using Double4 = Pack<double, 4>;
+
+HWY_INLINE Double4 loadDoubles(const double* values)
+{
+  return Double4::load(values);
+}
+
+HWY_INLINE Double4 loadDoubles(const float* values)
+{
+  Double4 p;
+  const hn::Rebind<float, Double4::Tag> half;
+  for (int i = 0; i < Double4::parts; ++i)
+  {
+    p.part[i] = hn::PromoteTo(Double4::Tag(), hn::LoadU(half, values + i * Double4::lanes));
+  }
+  return p;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace lumitree
+HWY_AFTER_NAMESPACE();
+
+#endif

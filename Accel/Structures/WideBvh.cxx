@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/WideBvh.h"
+
+#include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/BvhBuilder.h"
+#include "Accel/Structures/WideBvhFill.h"
+#include "Accel/Structures/WideBvhView.h"
+#include "Accel/Structures/WideBvhWalk.h"
+
+namespace lumitree
+{
+namespace
+{
+
+class WideBvh
+{
+public:
+  WideBvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+  {
+    const BvhSplitter splitter = options.bvhBuild == BvhBuild::LongestAxisMedian
+      ? medianSplitter(options.leafSize)
+      : binnedSahSplitter(options.leafSize);
+    if (!surface.hittable().empty())
+    {
+      const BvhNodes binary = buildBvhNodes(surface, splitter, options.maxDepth);
+      this->tree_ = fillWideBvh(surface, binary, options.leafSize, blocks);
+    }
+  }
+
+  static StructureWalks walks()
+  {
+    StructureWalks walks;
+    walks.kernel = wideBvhKernel;
+    walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor) {
+      wideBvhCountingWalk()(*static_cast<const WideBvhNodes*>(tree), state, visitor);
+    };
+    return walks;
+  }
+
+  [[nodiscard]] const void* walked() const { return &this->tree_; }
+
+  [[nodiscard]] HierarchyView view(const LeafBlocks& blocks) const
+  {
+    return viewWideBvh(this->tree_, blocks);
+  }
+
+  [[nodiscard]] std::size_t memory() const
+  {
+    return this->tree_.nodes.capacity() * sizeof(WideBvhNode) +
+      this->tree_.firstId.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  WideBvhNodes tree_;
+};
+
+} // namespace
+
+std::shared_ptr<const Accelerator> buildWideBvh(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+{
+  return std::make_shared<TreeAccelerator<WideBvh>>(std::move(surface), options);
+}
+
+} // namespace lumitree

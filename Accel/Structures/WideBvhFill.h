@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Structures_WideBvhFill_h
+#define Lumitree_Accel_Structures_WideBvhFill_h
+
+#include "Accel/Kernel/LeafBlocks.h"
+#include "Accel/Structures/BvhNodes.h"
+#include "Accel/Structures/WideBvhNodes.h"
+
+namespace lumitree
+{
+
+/// Collapses a binary tree over a surface that is not empty and writes its nodes and the blocks of its leaves.
+[[nodiscard]] WideBvhNodes fillWideBvh(
+  const Surface& surface, const BvhNodes& binary, int leafSize, LeafBlocks& blocks);
+
+} // namespace lumitree
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/WideBvhView.h"
+
+namespace lumitree
+{
+namespace
+{
+
+Box boxOf(const WideBvhFrame& frame, const WideBvhNode& node, int lane)
+{
+  Box box;
+  for (int k = 0; k < 3; ++k)
+  {
+    box.lower[k] = frame.centre[k] + static_cast<double>(node.lower[k][lane]) / frame.scale;
+    box.upper[k] = frame.centre[k] + static_cast<double>(node.upper[k][lane]) / frame.scale;
+  }
+  return box;
+}
+
+bool isUsed(const WideBvhNode& node, int lane)
+{
+  return node.lower[0][lane] <= node.upper[0][lane];
+}
+
+template <class T>
+void appendReferences(const TriangleBlocks<T>& blocks, std::uint32_t first, std::uint32_t count,
+  std::vector<PrimitiveId>& references)
+{
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    references.push_back(blocks[first + i / blockWidth].id[i % blockWidth]);
+  }
+}
+
+} // namespace
+
+HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks)
+{
+  HierarchyView view;
+  view.nodes.resize(1);
+  view.nodes[0].leaf = tree.nodes.empty();
+  // The children of node n stand side by side from firstId[n] on, nodes in ascending order: as they are met here.
+  std::vector<std::size_t> idOf(tree.nodes.size(), 0);
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
+  {
+    const WideBvhNode& node = tree.nodes[n];
+    for (int lane = 0; lane < wideArity && isUsed(node, lane); ++lane)
+    {
+      HierarchyNode child;
+      child.box = boxOf(tree.frame, node, lane);
+      child.parent = static_cast<std::int64_t>(idOf[n]);
+      child.depth = view.nodes[idOf[n]].depth + 1;
+      child.leaf = node.count[lane] > 0;
+      if (child.leaf)
+      {
+        child.firstReference = static_cast<std::uint32_t>(view.references.size());
+        child.referenceCount = node.count[lane];
+        std::visit(
+          [&](const auto& store) {
+            appendReferences(store, node.child[lane], node.count[lane], view.references);
+          },
+          blocks);
+      }
+      else
+      {
+        idOf[node.child[lane]] = view.nodes.size();
+      }
+      if (n == 0)
+      {
+        view.nodes[0].box.extend(child.box);
+      }
+      view.nodes.push_back(child);
+    }
+  }
+  completeHierarchy(view);
+  return view;
+}
+
+} // namespace lumitree

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Structures_WideBvhView_h
+#define Lumitree_Accel_Structures_WideBvhView_h
+
+#include "Accel/Hierarchy.h"
+#include "Accel/Kernel/LeafBlocks.h"
+#include "Accel/Structures/WideBvhNodes.h"
+
+namespace lumitree
+{
+
+/// The tree as a flat list of nodes, with the boxes that its walk uses (outward in float, so a little larger than tight).
+[[nodiscard]] HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks);
+
+} // namespace lumitree
+
+#endif

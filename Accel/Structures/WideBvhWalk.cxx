@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Accel/Structures/WideBvhWalk.cxx"
+#include "Accel/Kernel/InstructionSets.h"
+
+#include <hwy/foreach_target.h>
+
+#include "Accel/Kernel/LeafTest-inl.h"
+#include "Accel/Structures/WideBvhWalk.h"
+#include "Accel/Structures/WideRay.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lumitree
+{
+namespace HWY_NAMESPACE
+{
+
+/// A child that waits, and a lower bound of s inside it.
+struct Waiting
+{
+  std::uint32_t child;
+  std::uint32_t count;
+  float enter;
+  std::uint32_t id;
+};
+
+// Seven siblings may wait per level of at most 64.
+constexpr int stackSize = 7 * 64 + wideArity;
+
+/// The planes of a node that the ray meets first and last, the same for every node.
+struct Planes
+{
+  explicit Planes(const WideRay& ray)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->originNear[k] = Float8::all(ray.originNear[k]);
+      this->originFar[k] = Float8::all(ray.originFar[k]);
+      this->reciprocal[k] = Float8::all(ray.reciprocal[k]);
+    }
+  }
+  Float8 originNear[3];
+  Float8 originFar[3];
+  Float8 reciprocal[3];
+};
+
+/// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside them. The slab test
+/// of RayBox in float: difference, reciprocal and product round to 2^-24 each, so 3.1 · 2^-24 in all; the pad is 2^-21. Boxes and origin
+/// interval are rounded outward before.
+HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Planes& planes,
+  float stop, float* enters)
+{
+  Float8 enter = Float8::all(-std::numeric_limits<float>::infinity());
+  Float8 exit = Float8::all(std::numeric_limits<float>::infinity());
+  for (int k = 0; k < 3; ++k)
+  {
+    const Float8 nearPlane = Float8::load(ray.negative[k] ? node.upper[k] : node.lower[k]);
+    const Float8 farPlane = Float8::load(ray.negative[k] ? node.lower[k] : node.upper[k]);
+    enter = raise((nearPlane - planes.originNear[k]) * planes.reciprocal[k], enter);
+    exit = lower((farPlane - planes.originFar[k]) * planes.reciprocal[k], exit);
+  }
+  const Float8 relative = Float8::all(0x1p-21f);
+  const Float8 absolutePad = Float8::all(0x1p-120f);
+  enter = enter - (absolute(enter) * relative + absolutePad);
+  exit = exit + (absolute(exit) * relative + absolutePad);
+  // An enter of NaN is an infinite one on its way out of the box: no comparison with it holds.
+  const unsigned inside = bitsLessEqual(enter, exit);
+  const Float8 from = raise(enter, Float8::all(ray.sMin));
+  from.store(enters);
+  return inside & bitsLessEqual(from, exit) & bitsLessEqual(from, Float8::all(stop));
+}
+
+/// Puts the children met on the stack, the nearest on top; equal ones in the order of their lanes.
+HWY_INLINE int push(const WideBvhNode& node, unsigned lanes, const float* enters,
+  std::uint32_t firstId, Waiting* stack, int height)
+{
+  const int first = height;
+  for (; lanes != 0; lanes &= lanes - 1)
+  {
+    const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+    const Waiting w = { node.child[lane], node.count[lane], enters[lane],
+      firstId + static_cast<std::uint32_t>(lane) };
+    int at = height++;
+    for (; at > first && stack[at - 1].enter <= w.enter; --at)
+    {
+      stack[at] = stack[at - 1];
+    }
+    stack[at] = w;
+  }
+  return height;
+}
+
+/// The walk: node(id) and leaf(span) are called as the contract of Span.h says.
+template <class Node, class Leaf>
+HWY_INLINE void walk(
+  const WideBvhNodes& tree, RayState& state, Node enterNode, Leaf testLeafAt)
+{
+  if (tree.nodes.empty())
+  {
+    return;
+  }
+  const WideRay ray(tree.frame, state.ray);
+  const Planes planes(ray);
+  Waiting stack[stackSize];
+  int height = 1;
+  stack[0] = { 0, 0, ray.sMin, 0 };
+  float stop = ray.above(state.tStop);
+  HWY_ALIGN float enters[wideArity];
+  while (height > 0)
+  {
+    const Waiting next = stack[--height];
+    if (next.enter > stop)
+    {
+      continue;
+    }
+    enterNode(next.id);
+    if (next.count > 0)
+    {
+      const double before = state.tStop;
+      testLeafAt({ next.child, next.count, 0.0 });
+      if (state.tStop < before)
+      {
+        stop = ray.above(state.tStop);
+      }
+      continue;
+    }
+    const WideBvhNode& node = tree.nodes[next.child];
+    const unsigned lanes = meets(node, ray, planes, stop, enters);
+    height = push(node, lanes, enters, tree.firstId[next.child], stack, height);
+  }
+}
+
+RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query)
+{
+  return withPolicies(scalar, precision, query, [](auto t, auto p, auto q) -> RayKernel {
+    return [](const void* structure, const void* store, RayState& state) HWY_ATTR {
+      using T = decltype(t);
+      const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
+      walk(
+        *static_cast<const WideBvhNodes*>(structure), state, [](std::uint32_t) {},
+        [&](const Span& span)
+          HWY_ATTR { testLeaf<T, decltype(p), decltype(q)>(state, blocks, span); });
+    };
+  });
+}
+
+void countingWalk(const WideBvhNodes& tree, RayState& state, CountingVisitor& visitor)
+{
+  walk(
+    tree, state, [&](std::uint32_t id) { visitor.node(id); },
+    [&](const Span& span) { visitor.leaf(span); });
+}
+
+WideBvhCountingWalk chooseCountingWalk()
+{
+  return countingWalk;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace lumitree
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lumitree
+{
+
+HWY_EXPORT(chooseWideBvhKernel);
+HWY_EXPORT(chooseCountingWalk);
+
+RayKernel wideBvhKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query)
+{
+  return HWY_DYNAMIC_DISPATCH(chooseWideBvhKernel)(scalar, precision, query);
+}
+
+WideBvhCountingWalk wideBvhCountingWalk()
+{
+  return HWY_DYNAMIC_DISPATCH(chooseCountingWalk)();
+}
+
+} // namespace lumitree
+#endif
