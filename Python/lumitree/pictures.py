@@ -54,11 +54,12 @@ def surface_picture(
     title : on the scalar bar, with the unit.
 
     Colours end where 98 % of the finite values lie below, so that a lamp close to a wall does not
-    turn the rest black. Faces seen from behind are grey: their values are those of the other side.
+    turn the rest black; the largest is told. Faces seen from behind are grey: their values are
+    those of the other side.
     """
     on_cells = surface.GetCellData().HasArray(array_name)
     data = surface.GetCellData() if on_cells else surface.GetPointData()
-    scale = _Scale("inferno", _top(from_vtk(data, array_name), 0.98))
+    scale = _Scale("inferno", from_vtk(data, array_name), 0.98)
     actor = vtkActor()
     actor.SetMapper(_mapper(surface, scale, array_name, on_cells))
     actor.GetProperty().LightingOff()  # the colours are the light
@@ -77,8 +78,7 @@ def boxes_picture(
     view: View | None = None,
 ) -> None:
     """The lines of `boxes` coloured by a cell array, around the translucent surface."""
-    values = from_vtk(boxes.GetCellData(), array_name)
-    scale = _Scale("viridis", float(values.max()), whole=values.dtype.kind == "i")
+    scale = _Scale("viridis", from_vtk(boxes.GetCellData(), array_name))
     lines = vtkActor()
     lines.SetMapper(_mapper(boxes, scale, array_name, on_cells=True))
     lines.GetProperty().LightingOff()
@@ -92,8 +92,7 @@ def image_picture(
     path: str | os.PathLike, image: vtkImageData, array_name: str, title: str
 ) -> None:
     """An image coloured by one of its point arrays, pixel by pixel, from 0 up."""
-    values = from_vtk(image.GetPointData(), array_name)
-    scale = _Scale("inferno", _top(values, 0.998), whole=values.dtype.kind == "i")
+    scale = _Scale("inferno", from_vtk(image.GetPointData(), array_name), 0.998)
     flat = vtkImageData()
     flat.SetDimensions(image.GetDimensions())
     flat.GetPointData().SetScalars(image.GetPointData().GetArray(array_name))
@@ -109,14 +108,17 @@ def image_picture(
 
 
 class _Scale:
-    """Colours for the values from 0 to a round number not below `top`, with labels at round, or whole,
-    numbers."""
+    """Colours from 0 to a round number that `part` of the values lie below; labels at round
+    numbers, or at whole ones if the values are."""
 
-    def __init__(self, colours: str, top: float, whole: bool = False) -> None:
-        top = top if top > 0.0 else 1.0
+    def __init__(self, colours: str, values: np.ndarray, part: float = 1.0) -> None:
+        finite = values[np.isfinite(values)]
+        self.largest = float(finite.max()) if finite.size else 0.0
+        top = float(np.quantile(finite, part)) if finite.size else 0.0
+        top = next(value for value in (top, self.largest, 1.0) if value > 0.0)
         step = 10.0 ** np.floor(np.log10(top / 5))
         step *= next(factor for factor in (1, 2, 5, 10) if factor * step * 6 >= top)
-        step = max(step, 1.0) if whole else step
+        step = max(step, 1.0) if values.dtype.kind == "i" else step
         steps = int(np.ceil(top / step - 1e-9))
         self.labels = [i * step for i in range(steps + 1)]
         self.table = _table(colours, self.labels[-1])
@@ -127,6 +129,8 @@ class _Scale:
             labels.InsertNextValue(label)
         bar = vtkScalarBarActor()
         bar.SetLookupTable(self.table)
+        if self.largest > self.labels[-1]:
+            title += f"\nat most {self.largest:.4g}"
         bar.SetTitle(title.replace("^2", "\u00b2") + "\n")
         bar.SetUseCustomLabels(True)
         bar.SetCustomLabels(labels)
@@ -146,16 +150,6 @@ class _Scale:
         bar.SetWidth(0.9)
         bar.SetHeight(0.8)
         return bar
-
-
-def _top(values: np.ndarray, part: float) -> float:
-    """What `part` of the finite values lie below, if that is above 0."""
-    finite = values[np.isfinite(values)]
-    for share in (part, 1.0):
-        top = float(np.quantile(finite, share)) if finite.size else 0.0
-        if top > 0.0:
-            return top
-    return 1.0
 
 
 def _table(colours: str, top: float) -> vtkLookupTable:

@@ -70,7 +70,8 @@ def test_options(in_tmp, mesh):
 
 def test_a_built_in_scene(in_tmp):
     done = run("scene:cornell_box", "--resolution", "20", "--size", "40x30", "--no-pictures")
-    assert "100% hit" in done.stdout
+    assert "scene:cornell_box: 6,800 cells" in done.stdout
+    assert "; 100.0" in done.stdout  # W, of the lamp's 100
     assert "W received in all" in done.stdout
 
 
