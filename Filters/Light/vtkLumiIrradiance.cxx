@@ -9,14 +9,18 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkExtentTranslator.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
+#include <stdexcept>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -24,6 +28,26 @@ namespace filters = lumitree::filters;
 
 namespace
 {
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// Asks an input for this rank's piece of everything, whatever part of the receivers is asked for.
+void RequestPiece(vtkInformation* input, int piece, int pieces)
+{
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    int whole[6];
+    int extent[6];
+    input->Get(Pipeline::WHOLE_EXTENT(), whole);
+    const vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(
+      piece, pieces, 0, whole, extent, translator->GetSplitMode(), 0);
+    input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+  }
+}
 
 /// A dataset to be lit: a shallow copy of the receivers, already in the output.
 struct Leaf
@@ -68,10 +92,19 @@ struct vtkLumiIrradiance::Internals
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
 
+  int Rank() const { return this->Controller ? this->Controller->GetLocalProcessId() : 0; }
+  int Ranks() const { return this->Controller ? this->Controller->GetNumberOfProcesses() : 1; }
+
   /// What the properties and the inputs other than the receivers say. Collective. Throws what is to
   /// be reported; false when it was reported already.
-  bool Prepare(vtkLumiIrradiance* self, vtkInformationVector** inputs, filters::Illumination& light)
+  bool Prepare(vtkLumiIrradiance* self, vtkInformationVector** inputs, int pieces,
+    filters::Illumination& light)
   {
+    if (self->Shadows && OccludersAreReceivers(inputs) && pieces > this->Ranks())
+    {
+      throw std::runtime_error("Receivers that come piece after piece cannot shadow each other. "
+                               "Connect the whole scene to input port 1, the occluders.");
+    }
     light.lights =
       filters::readLights(inputs[2], filters::metresPerUnit(self->LengthUnit), this->Controller);
     light.location = static_cast<filters::ReceiverLocation>(self->ReceiverLocation);
@@ -100,15 +133,14 @@ struct vtkLumiIrradiance::Internals
   bool Illuminate(vtkLumiIrradiance* self, const filters::Illumination& light,
     const std::vector<Leaf>& leaves, bool shadowsItself)
   {
-    const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
     const auto count = static_cast<double>(leaves.size());
     std::uint64_t receivers = 0;
     std::uint64_t undefined = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i)
     {
       filters::Job job(self, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-      const filters::IlluminationReport report =
-        light.addTo(leaves[i].Data, leaves[i].CompositeIndex, rank, shadowsItself, job.control());
+      const filters::IlluminationReport report = light.addTo(
+        leaves[i].Data, leaves[i].CompositeIndex, this->Rank(), shadowsItself, job.control());
       if (!report.completed)
       {
         return false;
@@ -202,15 +234,31 @@ int vtkLumiIrradiance::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+int vtkLumiIrradiance::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (const int port : { 1, 2 })
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      RequestPiece(
+        inputVector[port]->GetInformationObject(i), this->Impl->Rank(), this->Impl->Ranks());
+    }
+  }
+  return 1;
+}
+
 int vtkLumiIrradiance::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  const int pieces =
+    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()); // 0: not said
   bool complete = false;
   try
   {
     filters::Illumination light;
-    if (this->Impl->Prepare(this, inputVector, light))
+    if (this->Impl->Prepare(this, inputVector, pieces, light))
     {
       const std::vector<Leaf> leaves =
         CopyReceivers(vtkDataObject::GetData(inputVector[0]), output);

@@ -121,7 +121,10 @@ Irradiance::Irradiance(
   vtkDataObject* receivers, const std::vector<vtkSmartPointer<vtkPolyData>>& lights)
   : filter_(vtkSmartPointer<vtkLumiIrradiance>::New())
 {
-  this->filter_->SetInputDataObject(0, receivers);
+  if (receivers)
+  {
+    this->filter_->SetInputDataObject(0, receivers);
+  }
   for (const auto& one : lights)
   {
     this->filter_->AddLightsData(one);

@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> floorStrip(double from, double size, int count);
 /// The wall x = 1, |y| <= 10, 0 <= z <= 2.
 vtkSmartPointer<vtkPolyData> wall();
 
-/// A filter with inputs, and what it says.
+/// A filter with inputs (null: without receivers), and what it says.
 class Irradiance
 {
 public:

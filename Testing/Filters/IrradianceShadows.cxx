@@ -250,6 +250,47 @@ TEST(IrradianceShadows, MovingLightsRebuildsNothing)
   EXPECT_EQ(filters::treeBuilds(), before + 2);
 }
 
+TEST(IrradianceShadows, OccludersAreAskedForAsAWhole)
+{
+  // Structured receivers and occluders of other extents, and only a part of the receivers.
+  const vtkNew<vtkImageData> floor;
+  floor->SetExtent(-40, 9, 0, 1, 0, 0); // cells along x
+  const vtkNew<vtkImageData> block;
+  block->SetExtent(10, 11, -10, 10, -1, 20);
+  Irradiance filter(floor, { pointLight({ 30, 0.5, 40 }, 1000.0) });
+  filter->SetOccludersData(block);
+  int part[6] = { -20, 5, 0, 1, 0, 0 };
+  filter->UpdateInformation();
+  filter->UpdateExtent(part);
+  EXPECT_EQ(filter.errors, 0) << filter.text;
+  auto* output = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  vtkDataArray* e = output->GetCellData()->GetArray(irradiance);
+  ASSERT_TRUE(e);
+  // The edge x = 10, z = 20 of the block throws a shadow up to x = −10.
+  for (vtkIdType i = 0; i < e->GetNumberOfTuples(); ++i)
+  {
+    const double* bounds = output->GetCell(i)->GetBounds();
+    if (bounds[0] >= -20.0 && bounds[1] <= 5.0)
+    {
+      EXPECT_EQ(e->GetComponent(i, 0) > 0.0, bounds[1] <= -10.0) << bounds[0];
+    }
+  }
+}
+
+TEST(IrradianceShadows, PiecesThatCannotShadowEachOtherAreAnError)
+{
+  const vtkNew<vtkSphereSource> sphere;
+  Irradiance filter(nullptr, lamp());
+  filter->SetInputConnection(0, sphere->GetOutputPort());
+  filter->UpdatePiece(1, 4, 0);
+  EXPECT_EQ(filter.errors, 1);
+  EXPECT_NE(filter.text.find("port 1"), std::string::npos) << filter.text;
+  filter->SetOccludersConnection(sphere->GetOutputPort());
+  filter->UpdatePiece(1, 4, 0);
+  EXPECT_EQ(filter.errors, 1) << filter.text;
+}
+
 TEST(IrradianceShadows, CompositesOfLights)
 {
   const vtkNew<vtkMultiBlockDataSet> lights;
