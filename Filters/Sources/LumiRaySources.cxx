@@ -23,7 +23,6 @@ namespace
 {
 
 using namespace lumitree;
-using filters::RaySource;
 using filters::RaySources;
 using filters::unit;
 
@@ -61,7 +60,17 @@ Facet polygonFacet(const std::vector<Vec3>& points)
     // Relative to the first point: far from the origin products would lose what they differ by.
     moment = moment + (weight / 3.0) * ((points[k - 1] - points[0]) + (points[k] - points[0]));
   }
-  return { sum > 0.0 ? points[0] + (1.0 / sum) * moment : points[0], area };
+  if (sum > 0.0)
+  {
+    return { points[0] + (1.0 / sum) * moment, area };
+  }
+  // Without an area (the data may give a normal), or not finite, which the mean shows.
+  Vec3 mean = { 0.0, 0.0, 0.0 };
+  for (const Vec3& p : points)
+  {
+    mean = mean + (1.0 / static_cast<double>(points.size())) * p;
+  }
+  return { mean, area };
 }
 
 /// A strip bends: its middle triangle stands for it, for the mean of all would lie off the surface.

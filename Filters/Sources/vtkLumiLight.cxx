@@ -44,7 +44,7 @@ vtkLumiLight::vtkLumiLight()
 
 vtkLumiLight::~vtkLumiLight()
 {
-  this->SetName(nullptr);
+  delete[] this->Name;
 }
 
 void vtkLumiLight::AddQuantity(

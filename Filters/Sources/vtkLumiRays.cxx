@@ -47,12 +47,13 @@ struct Plane
 RayFunction GridRays(const Plane& plane, const Vec3& direction, const int resolution[2])
 {
   const vtkIdType width = resolution[0];
-  const double step1 = 1.0 / resolution[0];
-  const double step2 = 1.0 / resolution[1];
+  const vtkIdType height = resolution[1];
   return [=](vtkIdType i) -> RayLine
   {
-    const double s = (static_cast<double>(i % width) + 0.5) * step1;
-    const double t = (static_cast<double>(i / width) + 0.5) * step2;
+    const vtkIdType row = i / width;
+    const vtkIdType column = i % width;
+    const double s = (static_cast<double>(column) + 0.5) / static_cast<double>(width);
+    const double t = (static_cast<double>(row) + 0.5) / static_cast<double>(height);
     return { plane.corner + s * plane.edge1 + t * plane.edge2, direction };
   };
 }

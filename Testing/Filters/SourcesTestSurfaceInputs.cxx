@@ -46,6 +46,19 @@ void addGhosts(
   data->AddArray(ghosts);
 }
 
+/// Cell normals along +z.
+void addNormals(vtkDataSet* data, vtkIdType cells)
+{
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < cells; ++i)
+  {
+    normals->InsertNextTuple3(0.0, 0.0, 1.0);
+  }
+  data->GetCellData()->SetNormals(normals);
+}
+
 std::multiset<vtkIdType> ids(vtkPolyData* rays, const char* name)
 {
   std::multiset<vtkIdType> result;
@@ -114,6 +127,7 @@ TEST(SurfaceRays, OfAVolumeTheOuterSurfaceSendsRaysWithTheVolumesIds)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 4);
+  addNormals(image, 27); // which cannot be the normals of the faces
   vtkNew<vtkLumiSurfaceRays> rays;
   rays->SetInputData(image);
   rays->SetDistribution(vtkLumiSurfaceRays::Normal);
@@ -194,6 +208,13 @@ TEST(SurfaceRays, SourcesWithoutNormalAreCountedInOneWarning)
   rays->Update();
   EXPECT_EQ(ids(rays->GetOutput(), "SourceCellId"), (std::multiset<vtkIdType>{ 0 }));
   EXPECT_EQ(messages->warnings, 2);
+
+  // With normals in the data a cell needs no area, but still a place.
+  addNormals(surface, 3);
+  rays->Update();
+  EXPECT_EQ(ids(rays->GetOutput(), "SourceCellId"), (std::multiset<vtkIdType>{ 0, 1 }));
+  expectNear(point(rays->GetOutput(), 1), { 1.0, 0.0, 0.0 });
+  EXPECT_EQ(messages->warnings, 3);
   EXPECT_EQ(messages->errors, 0);
 }
 
