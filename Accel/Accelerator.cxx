@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Accelerator.h"
 
+#include "Accel/FloatEnvironment.h"
 #include "Accel/Registry.h"
 
 #include <string>
-
 
 namespace lumitree
 {
@@ -49,6 +49,8 @@ std::shared_ptr<const Accelerator> build(
   checkRange("leaf size", asked.leafSize, 1, 1024);
   checkRange("greatest depth", asked.maxDepth, 1, 64);
   checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
+  // Builders compare and convert coordinates: with subnormals flushed they would enclose other numbers.
+  const FloatEnvironment environment;
   BuildOptions options = asked;
   if (options.structure == Structure::Auto)
   {

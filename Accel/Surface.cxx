@@ -3,6 +3,7 @@
 #include "Accel/Surface.h"
 
 #include "Accel/Exact/Predicates.h"
+#include "Accel/FloatEnvironment.h"
 #include "Accel/Parallel.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap s
     }
   });
 
+  const FloatEnvironment environment;
   this->hittable_.reserve(kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i)
   {
