@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a mesh may be."""
 
-import numpy as np
 import pytest
 from meshes import floor
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
@@ -84,14 +83,3 @@ def test_scenes():
         lumitree.scene("box")
     with pytest.raises(ValueError, match="resolution must be a whole number from 1 to 1000"):
         lumitree.scene("teapot", resolution=0)
-
-
-def test_meshes_of_pyvista():
-    pyvista = pytest.importorskip("pyvista")
-    sphere = pyvista.Sphere(radius=2.0)
-    blocks = pyvista.MultiBlock([sphere, pyvista.Plane(i_size=9, j_size=9)])
-    assert lumitree.cast(sphere, (0.1, 0.2, 5), DOWN).t[0] == pytest.approx(3.0, abs=0.05)
-    assert lumitree.cast(blocks, (0.1, 0.2, 5), DOWN, query="count").count.tolist() == [3]
-    light = lumitree.irradiance(sphere, lumitree.directional_light(DOWN, 100.0), at="points")
-    sphere.point_data[light.name] = light.values
-    assert np.nanmax(sphere[light.name]) == pytest.approx(100.0, rel=0.02)
