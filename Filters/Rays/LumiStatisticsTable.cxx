@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace lumitree::filters
 {
@@ -61,10 +62,12 @@ void makeStatisticsTable(
   const Surface& surface = accelerator.surface();
   const BuildOptions& options = accelerator.options();
   const BuildStatistics& built = accelerator.statistics();
+  const bool isHierarchyOfBoxes =
+    options.structure == Structure::Bvh || options.structure == Structure::WideBvh;
 
   Row row(table, withRow);
   row.add("Structure", name(options.structure));
-  row.add("BvhBuild", name(options.bvhBuild));
+  row.add("BvhBuild", isHierarchyOfBoxes ? name(options.bvhBuild) : std::string_view());
   row.add("Primitives", std::uint64_t{ surface.size() });
   row.add("SkippedNonFinite", std::uint64_t{ surface.nonFiniteCount() });
   row.add("SkippedZeroArea", std::uint64_t{ surface.zeroAreaCount() });

@@ -109,6 +109,9 @@ TEST_F(Structure, StatisticsDescribeTheTree)
   EXPECT_EQ(value(this->row(), "Depth", 0), this->blocks()->GetNumberOfBlocks() - 1.0);
   EXPECT_GT(value(this->row(), "MemoryBytes", 0), 0);
   EXPECT_EQ(value(this->row(), "Rays", 0), 0);
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::BruteForce);
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(this->row()->GetAbstractArray("BvhBuild"))->GetValue(0), "");
 }
 
 TEST_F(Structure, BlocksAreLevelsAndParentsEncloseChildren)
