@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A convex body lit from within shadows nothing of itself, wherever it is and whether or not its
 // triangles share points. No receiver is told here which triangles it lies on.
+#include "Accel/Registry.h"
 #include "Radiometry/DirectIrradiance.h"
 #include "Radiometry/IsotropicPointSource.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace
@@ -70,14 +73,16 @@ struct Body
     return { p[0], p[1], p[2] };
   }
 
-  [[nodiscard]] std::shared_ptr<const Accelerator> accelerate() const
+  [[nodiscard]] std::shared_ptr<const Accelerator> accelerate(Structure structure) const
   {
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 0; i < this->size(); ++i)
     {
       triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
     }
-    return build(std::make_shared<Surface>(PointArray::from(this->points), triangles));
+    BuildOptions options;
+    options.structure = structure;
+    return build(std::make_shared<Surface>(PointArray::from(this->points), triangles), options);
   }
 
   /// The inner normal of a triangle; nothing for one that rounding has flattened.
@@ -104,7 +109,8 @@ enum class Where
 };
 
 template <class T>
-void expectNoShadow(double offset, Where where, std::size_t count)
+void expectNoShadow(
+  double offset, Where where, std::size_t count, Structure structure = Structure::Auto)
 {
   const Body<T> body(offset, 100, 200);
   std::mt19937_64 random(7);
@@ -139,7 +145,7 @@ void expectNoShadow(double offset, Where where, std::size_t count)
     }
   }
 
-  const auto occluders = body.accelerate();
+  const auto occluders = body.accelerate(structure);
   const IsotropicPointSource source(1000.0, { offset + 30.0, offset - 20.0, offset + 40.0 });
   Receivers receivers;
   receivers.size = count;
@@ -194,6 +200,73 @@ TEST_P(SelfShadow, DoubleVertices)
 TEST_P(SelfShadow, DoubleAnywhere)
 {
   expectNoShadow<double>(GetParam(), Where::Anywhere, 200000);
+}
+
+TEST_P(SelfShadow, EveryStructure)
+{
+  for (const Structure structure : Registry::instance().structures())
+  {
+    if (structure != Structure::BruteForce) // it would take minutes
+    {
+      expectNoShadow<float>(GetParam(), Where::Anywhere, 4000, structure);
+      expectNoShadow<double>(GetParam(), Where::Anywhere, 4000, structure);
+    }
+  }
+}
+
+TEST_P(SelfShadow, CornersOfATurnedRoom)
+{
+  // In a corner three planes meet: leaving one of them, a ray may run along the others.
+  const double offset = GetParam();
+  const std::array<Vec3, 3> axes = { { { 2.0 / 3, 2.0 / 3, 1.0 / 3 },
+    { -2.0 / 3, 1.0 / 3, 2.0 / 3 }, { 1.0 / 3, -2.0 / 3, 2.0 / 3 } } };
+  const auto place = [&](double x, double y, double z) {
+    return Vec3{ offset, offset, offset } + (x * axes[0] + (y * axes[1] + z * axes[2]));
+  };
+  std::vector<float> points;
+  std::vector<Triangle> triangles;
+  std::vector<double> normals;
+  for (int face = 0; face < 6; ++face)
+  {
+    const int axis = face / 2;
+    const double side = face % 2 == 0 ? 5.0 : -5.0;
+    const auto first = static_cast<std::uint32_t>(points.size() / 3);
+    for (const auto& [a, b] : { std::pair(-5.0, -5.0), { 5.0, -5.0 }, { 5.0, 5.0 }, { -5.0, 5.0 } })
+    {
+      Vec3 corner;
+      corner[axis] = side;
+      corner[(axis + 1) % 3] = a;
+      corner[(axis + 2) % 3] = b;
+      const Vec3 p = place(corner[0], corner[1], corner[2]);
+      const Vec3 inward = (side > 0.0 ? -1.0 : 1.0) * axes[axis];
+      for (int k = 0; k < 3; ++k)
+      {
+        points.push_back(static_cast<float>(p[k]));
+        normals.push_back(inward[k]);
+      }
+    }
+    triangles.push_back({ first, first + 1, first + 2 });
+    triangles.push_back({ first, first + 2, first + 3 });
+  }
+  const auto room = build(std::make_shared<Surface>(PointArray::from(points), triangles));
+  Receivers receivers;
+  receivers.size = normals.size() / 3;
+  receivers.positions = points.data();
+  receivers.normals = normals.data();
+  receivers.stored = ArrayView::Scalar::Float;
+  DirectOptions options;
+  options.occluders = room.get();
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> within(-4.0, 4.0);
+  int shadowed = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const IsotropicPointSource source(1.0, place(within(random), within(random), within(random)));
+    std::vector<double> e(receivers.size);
+    directIrradiance(receivers, { &source }, e.data(), {}, options);
+    shadowed += static_cast<int>(std::count(e.begin(), e.end(), 0.0));
+  }
+  EXPECT_EQ(shadowed, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Offsets, SelfShadow, testing::Values(0.0, 1e4, 1e6));
