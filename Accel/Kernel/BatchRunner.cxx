@@ -144,7 +144,7 @@ QueryReport BatchRunner::closest(
       {
         if (work.trace(i) && work.state().best.primitive != noPrimitive)
         {
-          hits[i] = finish(work.state(), work.state().best.primitive, options.precision);
+          hits[i] = finish(work.state(), work.state().best, options.precision);
         }
       }
     });
@@ -203,7 +203,7 @@ QueryReport BatchRunner::all(
           out.offsets[i + 1] = work.state().found.size();
           for (const Candidate& c : work.state().found)
           {
-            part.hits.push_back(finish(work.state(), c.primitive, options.precision));
+            part.hits.push_back(finish(work.state(), c, options.precision));
           }
         }
       }

@@ -65,11 +65,9 @@ HWY_INLINE unsigned candidateLanes(const FilterRay& ray, const TriangleBlock<T>&
       Double4::all(ray.boundFloor);
   }
   const Double4 below = Double4::all(0.0) - error;
-  const unsigned negative =
-    bitsLess(f[0], below) | bitsLess(f[1], below) | bitsLess(f[2], below);
-  const unsigned positive =
-    bitsLess(error, f[0]) | bitsLess(error, f[1]) | bitsLess(error, f[2]);
-  return ~(negative & positive) & ((1u << blockWidth) - 1u);
+  const auto negative = (f[0] < below) | (f[1] < below) | (f[2] < below);
+  const auto positive = (error < f[0]) | (error < f[1]) | (error < f[2]);
+  return ~(negative & positive).bits() & ((1u << blockWidth) - 1u);
 }
 
 } // namespace HWY_NAMESPACE

@@ -51,13 +51,12 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
 ///
 /// t is the mean of the vertices' t along the direction's dominant axis, weighted by the edge functions. It therefore
 /// always lies within the triangle's own range of t, however grazing the ray is. With weights w_i, each wrong by
-/// e at most, and S their sum, the mean is wrong by at most 3 e R / (S - 3 e), R the range of the vertices' values; what the
-/// sums round is below 8 u max|a|, with u = 2^-53.
+/// e at most, and S their sum, the mean is wrong by at most 3 e R / (S - 3 e), R the range of the vertices' values; what
+/// differences, shares and sums round is below 10 u max|a|, u = 2^-53, and the pad for it 16 u max|a|.
 inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
   const EdgeValues e = edgeValues(ray, vertices);
-  int k = std::fabs(ray.direction[0]) >= std::fabs(ray.direction[1]) ? 0 : 1;
-  k = std::fabs(ray.direction[k]) >= std::fabs(ray.direction[2]) ? k : 2;
+  const int k = ray.axis;
   const std::array<double, 3> a = { vertices[0][k] - ray.origin[k],
     vertices[1][k] - ray.origin[k], vertices[2][k] - ray.origin[k] };
 
@@ -69,21 +68,23 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
 
   const double low = std::min({ a[0], a[1], a[2] });
   const double high = std::max({ a[0], a[1], a[2] });
-  const double rounding = 0x1p-50 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020;
+  const double rounding = 0x1p-49 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020;
   double mean = 0.5 * low + 0.5 * high;
   double spread = high - low;
   Crossing x;
   x.edges = e;
   if (sum > 0.0 && sum <= std::numeric_limits<double>::max())
   {
-    x.u = weights[1] / sum;
-    x.v = weights[2] / sum;
-    mean = (weights[0] / sum) * a[0] + (x.u * a[1] + x.v * a[2]);
+    const double share = 1.0 / sum;
+    x.u = weights[1] * share;
+    x.v = weights[2] * share;
+    mean = (weights[0] * share) * a[0] + (x.u * a[1] + x.v * a[2]);
     mean = std::min(std::max(mean, low), high);
-    const double certain = sum - 3.0 * e.error;
-    if (certain > 0.0)
+    // A weight's error relative to the sum; 1 / (1 - 3 e) < 1 + 4 e below 1 / 12.
+    const double relative = e.error * share;
+    if (relative < 1.0 / 12)
     {
-      spread = std::min(spread, 3.0 * e.error * (high - low) / certain * (1.0 + 0x1p-40));
+      spread = std::min(spread, 3.0 * relative * (1.0 + 4.0 * relative) * spread);
     }
   }
   else
@@ -91,15 +92,14 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
     x.u = 1.0 / 3.0;
     x.v = 1.0 / 3.0;
   }
-  const double d = ray.direction[k];
   const double pad = spread + rounding;
-  const double first = (std::max(mean - pad, low - rounding)) / d;
-  const double second = (std::min(mean + pad, high + rounding)) / d;
-  x.t = mean / d;
+  const double first = std::max(mean - pad, low - rounding) * ray.perAxis;
+  const double second = std::min(mean + pad, high + rounding) * ray.perAxis;
+  x.t = mean / ray.direction[k];
   x.tLow = std::min(first, second);
   x.tHigh = std::max(first, second);
-  x.tLow -= std::fabs(x.tLow) * 0x1p-52 + 0x1p-1070;
-  x.tHigh += std::fabs(x.tHigh) * 0x1p-52 + 0x1p-1070;
+  x.tLow -= std::fabs(x.tLow) * 0x1p-51 + 0x1p-1020;
+  x.tHigh += std::fabs(x.tHigh) * 0x1p-51 + 0x1p-1020;
   return x;
 }
 

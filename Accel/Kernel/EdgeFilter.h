@@ -19,7 +19,11 @@ struct FilterRay
     , oneNorm(
         std::fabs(ray.direction[0]) + std::fabs(ray.direction[1]) + std::fabs(ray.direction[2]))
     , boundFloor(0x1p-1020 * (1.0 + oneNorm))
+    , axis(std::fabs(ray.direction[0]) >= std::fabs(ray.direction[1]) ? 0 : 1)
   {
+    this->axis =
+      std::fabs(ray.direction[this->axis]) >= std::fabs(ray.direction[2]) ? this->axis : 2;
+    this->perAxis = 1.0 / ray.direction[this->axis];
   }
 
   /// With A, B, C the vertices less the origin, the edge function of the edge PQ is
@@ -35,6 +39,8 @@ struct FilterRay
   Vec3 direction;
   double oneNorm;
   double boundFloor;
+  int axis;       ///< of the direction's largest component
+  double perAxis; ///< 1 / that component
 };
 
 /// The edge functions of one triangle, the weights of its vertices, and the bound of their error: the point

@@ -21,19 +21,17 @@ void arrange(RayState& state, Precision precision)
   }
 }
 
-Hit finish(const RayState& state, PrimitiveId primitive, Precision precision)
+Hit finish(const RayState& state, const Candidate& c, Precision precision)
 {
-  const auto vertices = state.surface.vertices(primitive);
-  const Crossing x = crossing(state.filter, vertices);
   Hit hit;
-  hit.primitive = primitive;
-  hit.t = x.t;
-  hit.u = x.u;
-  hit.v = x.v;
+  hit.primitive = c.primitive;
+  hit.t = c.t;
+  hit.u = c.u;
+  hit.v = c.v;
   // Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to t.
-  if (precision == Precision::Exact && x.tHigh - x.tLow > 0x1p-26 * std::fabs(x.t))
+  if (precision == Precision::Exact && c.tHigh - c.tLow > 0x1p-26 * std::fabs(c.t))
   {
-    hit.t = exact::crossingParameter(state.ray, vertices);
+    hit.t = exact::crossingParameter(state.ray, state.surface.vertices(c.primitive));
   }
   hit.t = std::min(std::max(hit.t, state.ray.tMin), state.ray.tMax);
   return hit;

@@ -12,8 +12,8 @@ namespace lumitree
 /// Orders what All or Count collected, by the precision's order, duplicates dropped.
 void arrange(RayState& state, Precision precision);
 
-/// The hit of a primitive known to be hit: a pure function of ray and primitive, the same bits from every structure.
-[[nodiscard]] Hit finish(const RayState& state, PrimitiveId primitive, Precision precision);
+/// The hit that a candidate is: a pure function of ray and primitive, the same bits from every structure.
+[[nodiscard]] Hit finish(const RayState& state, const Candidate& candidate, Precision precision);
 
 } // namespace lumitree
 

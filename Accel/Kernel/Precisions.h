@@ -20,8 +20,9 @@ using Corners = std::array<Vec3, 3>;
 struct OrderByKey
 {
   static bool place(
-    const RayState& state, const Corners& vertices, double t, Candidate& c)
+    const RayState& state, const Corners& vertices, const Crossing& x, Candidate& c)
   {
+    c.take(x);
     Box box;
     for (const Vec3& vertex : vertices)
     {
@@ -29,7 +30,7 @@ struct OrderByKey
     }
     double tEnter = 0.0;
     const bool met = state.box.meets(box, state.ray.tMax, tEnter);
-    c.key = std::max(t, tEnter);
+    c.key = std::max(x.t, tEnter);
     return met;
   }
 
@@ -49,7 +50,7 @@ struct FastPrecision : OrderByKey
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
-    return apparentlyHit(x.edges) && x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x.t, c);
+    return apparentlyHit(x.edges) && x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x, c);
   }
 };
 
@@ -65,7 +66,7 @@ struct WatertightPrecision : OrderByKey
     state.exactTests += surelyHit(x.edges) ? 0 : 1;
     // By the triangle's own bound: a block's depends on which triangles share it.
     return !surelyMissed(x.edges) && x.tHigh >= state.ray.tMin && x.tLow <= state.ray.tMax &&
-      place(state, vertices, x.t, c);
+      place(state, vertices, x, c);
   }
 };
 
@@ -89,8 +90,7 @@ struct ExactPrecision
         return false;
       }
     }
-    c.tLow = x.tLow;
-    c.tHigh = x.tHigh;
+    c.take(x);
     c.key = x.t;
     return atLeast(state, vertices, x, state.ray.tMin) && atMost(state, vertices, x);
   }

@@ -17,9 +17,21 @@ namespace lumitree
 struct Candidate
 {
   PrimitiveId primitive = noPrimitive;
-  double key = std::numeric_limits<double>::infinity(); ///< Fast, Watertight: max(t, t at which the ray enters the primitive's box)
+  double key = std::numeric_limits<double>::infinity(); ///< what Fast and Watertight order by
+  double t = 0.0;
   double tLow = 0.0;
   double tHigh = 0.0;
+  double u = 0.0;
+  double v = 0.0;
+
+  void take(const Crossing& x)
+  {
+    this->t = x.t;
+    this->tLow = x.tLow;
+    this->tHigh = x.tHigh;
+    this->u = x.u;
+    this->v = x.v;
+  }
 };
 
 /// All that one ray carries through a structure. Reused from ray to ray, so that found keeps its memory.

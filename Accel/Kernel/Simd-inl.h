@@ -120,30 +120,67 @@ HWY_INLINE Pack<T, N> absolute(const Pack<T, N>& a)
   return each(a, a, [](auto x, auto) HWY_ATTR { return hn::Abs(x); });
 }
 
-/// Bit i is set where the condition holds in lane i.
-template <class P, class F>
-HWY_INLINE unsigned bitsWhere(const P& a, const P& b, F condition)
+/// A truth value per lane.
+template <class P>
+struct Lanes
 {
-  unsigned bits = 0;
-  for (int i = 0; i < P::parts; ++i)
+  using Register = hn::Mask<typename P::Tag>;
+  Register part[P::parts];
+
+  friend HWY_INLINE Lanes operator&(const Lanes& a, const Lanes& b)
   {
-    std::uint8_t part[8] = {};
-    hn::StoreMaskBits(typename P::Tag(), condition(a.part[i], b.part[i]), part);
-    bits |= static_cast<unsigned>(part[0]) << (i * P::lanes);
+    Lanes r;
+    for (int i = 0; i < P::parts; ++i)
+    {
+      r.part[i] = hn::And(a.part[i], b.part[i]);
+    }
+    return r;
   }
-  return bits;
+
+  friend HWY_INLINE Lanes operator|(const Lanes& a, const Lanes& b)
+  {
+    Lanes r;
+    for (int i = 0; i < P::parts; ++i)
+    {
+      r.part[i] = hn::Or(a.part[i], b.part[i]);
+    }
+    return r;
+  }
+
+  /// Bit i is set where lane i is true.
+  [[nodiscard]] HWY_INLINE unsigned bits() const
+  {
+    unsigned bits = 0;
+    for (int i = 0; i < P::parts; ++i)
+    {
+      std::uint8_t stored[8] = {};
+      hn::StoreMaskBits(typename P::Tag(), this->part[i], stored);
+      bits |= static_cast<unsigned>(stored[0]) << (i * P::lanes);
+    }
+    return bits;
+  }
+};
+
+template <class T, int N>
+HWY_INLINE Lanes<Pack<T, N>> operator<=(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  Lanes<Pack<T, N>> r;
+  for (int i = 0; i < Pack<T, N>::parts; ++i)
+  {
+    r.part[i] = hn::Le(a.part[i], b.part[i]);
+  }
+  return r;
 }
 
 template <class T, int N>
-HWY_INLINE unsigned bitsLessEqual(const Pack<T, N>& a, const Pack<T, N>& b)
+HWY_INLINE Lanes<Pack<T, N>> operator<(const Pack<T, N>& a, const Pack<T, N>& b)
 {
-  return bitsWhere(a, b, [](auto x, auto y) HWY_ATTR { return hn::Le(x, y); });
-}
-
-template <class T, int N>
-HWY_INLINE unsigned bitsLess(const Pack<T, N>& a, const Pack<T, N>& b)
-{
-  return bitsWhere(a, b, [](auto x, auto y) HWY_ATTR { return hn::Lt(x, y); });
+  Lanes<Pack<T, N>> r;
+  for (int i = 0; i < Pack<T, N>::parts; ++i)
+  {
+    r.part[i] = hn::Lt(a.part[i], b.part[i]);
+  }
+  return r;
 }
 
 using Float8 = Pack<float, 8>;

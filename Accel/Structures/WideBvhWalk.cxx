@@ -64,11 +64,10 @@ HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Pla
   const Float8 absolutePad = Float8::all(0x1p-120f);
   enter = enter - (absolute(enter) * relative + absolutePad);
   exit = exit + (absolute(exit) * relative + absolutePad);
-  // An enter of NaN is an infinite one on its way out of the box: no comparison with it holds.
-  const unsigned inside = bitsLessEqual(enter, exit);
   const Float8 from = raise(enter, Float8::all(ray.sMin));
   from.store(enters);
-  return inside & bitsLessEqual(from, exit) & bitsLessEqual(from, Float8::all(stop));
+  // An enter of NaN is an infinite one on its way out of the box: no comparison with it holds.
+  return ((enter <= exit) & (from <= exit) & (from <= Float8::all(stop))).bits();
 }
 
 /// Puts the children met on the stack, the nearest on top; equal ones in the order of their lanes.
@@ -102,10 +101,12 @@ HWY_INLINE void walk(
   }
   const WideRay ray(tree.frame, state.ray);
   const Planes planes(ray);
+  const WideBvhNode* const nodes = tree.nodes.data();
   Waiting stack[stackSize];
   int height = 1;
   stack[0] = { 0, 0, ray.sMin, 0 };
-  float stop = ray.above(state.tStop);
+  double tStop = state.tStop;
+  float stop = ray.above(tStop);
   HWY_ALIGN float enters[wideArity];
   while (height > 0)
   {
@@ -117,15 +118,19 @@ HWY_INLINE void walk(
     enterNode(next.id);
     if (next.count > 0)
     {
-      const double before = state.tStop;
       testLeafAt({ next.child, next.count, 0.0 });
-      if (state.tStop < before)
+      if (state.tStop < tStop)
       {
-        stop = ray.above(state.tStop);
+        tStop = state.tStop;
+        stop = ray.above(tStop);
+        if (tStop < state.ray.tMin)
+        {
+          return;
+        }
       }
       continue;
     }
-    const WideBvhNode& node = tree.nodes[next.child];
+    const WideBvhNode& node = nodes[next.child];
     const unsigned lanes = meets(node, ray, planes, stop, enters);
     height = push(node, lanes, enters, tree.firstId[next.child], stack, height);
   }

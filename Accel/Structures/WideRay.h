@@ -8,23 +8,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace lumitree
 {
 
 /// A ray in the frame of a wide BVH, in float. Its origin is an interval that holds the exact one; its parameter is
-/// s = t 2^shift, so that the direction's largest component is in [1/2, 1) and s is a distance in the tree's frame.
+/// s = t perT, with perT a power of two such that the direction's largest component is in [1, 2): s is a distance in the
+/// tree's frame.
 struct WideRay
 {
   WideRay(const WideBvhFrame& frame, const Ray& ray)
   {
     const double largest = std::max({ std::fabs(ray.direction[0]), std::fabs(ray.direction[1]),
       std::fabs(ray.direction[2]) });
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    int frameExponent = 0;
-    std::frexp(frame.scale, &frameExponent);
-    this->shift = exponent + frameExponent - 1;
+    const double unit = 1.0 / powerBelow(largest);
+    this->perT = frame.scale / unit;
+    this->bounded = std::isnormal(this->perT);
     for (int k = 0; k < 3; ++k)
     {
       // The subtraction rounds to 2^-53 of the result, the conversion to 2^-24; 2^-22 covers both and itself.
@@ -36,8 +37,7 @@ struct WideRay
       // A near plane's t is bounded from below, a far plane's from above.
       this->originNear[k] = this->negative[k] ? low : high;
       this->originFar[k] = this->negative[k] ? high : low;
-      const double d = std::ldexp(ray.direction[k], -exponent);
-      this->reciprocal[k] = static_cast<float>(1.0 / d);
+      this->reciprocal[k] = static_cast<float>(1.0 / (ray.direction[k] * unit));
       // As in RayBox: a component whose reciprocal overflows does not constrain. 0 itself does.
       if (ray.direction[k] != 0.0 && std::isinf(this->reciprocal[k]))
       {
@@ -47,19 +47,20 @@ struct WideRay
     this->sMin = this->below(ray.tMin);
   }
 
-  /// s of a t, rounded down or up.
+  /// s of a t, rounded down or up; no bound where the range of doubles is not enough to know it.
   ///@{
   [[nodiscard]] float below(double t) const
   {
-    const double s = std::ldexp(t, this->shift);
-    const double padded = s - std::fabs(s) * 0x1p-22;
-    return static_cast<float>(std::min(padded, 0x1p127));
+    const double s = t * this->perT;
+    return this->bounded ? static_cast<float>(s - std::min(std::fabs(s), 0x1p200) * 0x1p-22)
+                         : -std::numeric_limits<float>::infinity();
   }
   [[nodiscard]] float above(double t) const
   {
-    const double s = std::ldexp(t, this->shift);
-    const double padded = s + std::fabs(s) * 0x1p-22;
-    return static_cast<float>(std::max(padded + 0x1p-120, -0x1p127));
+    const double s = t * this->perT;
+    return this->bounded
+      ? static_cast<float>(s + (std::min(std::fabs(s), 0x1p200) * 0x1p-22 + 0x1p-120))
+      : std::numeric_limits<float>::infinity();
   }
   ///@}
 
@@ -68,7 +69,19 @@ struct WideRay
   float reciprocal[3];
   bool negative[3];
   float sMin;
-  int shift;
+  double perT;  ///< s / t, a power of two
+  bool bounded; ///< perT is in the range of doubles
+
+private:
+  /// The power of two in (x / 2, x]; of a subnormal number the least normal one.
+  static double powerBelow(double x)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof(bits));
+    bits = std::max(bits & 0x7ff0000000000000u, std::uint64_t{ 0x0010000000000000u });
+    std::memcpy(&x, &bits, sizeof(bits));
+    return x;
+  }
 };
 
 } // namespace lumitree
