@@ -84,7 +84,8 @@ function (lumitree_add_python_test name script)
     list(PREPEND command "${LUMITREE_MPIRUN}" --oversubscribe -np "${arg_MPI}")
   endif ()
   if (arg_XVFB)
-    list(PREPEND command "${LUMITREE_XVFB_RUN}" -a)
+    # A server that resets when its last client leaves may refuse the next one.
+    list(PREPEND command "${LUMITREE_XVFB_RUN}" -a -s "-noreset -screen 0 1280x1024x24")
   endif ()
   add_test(NAME "${name}"
     COMMAND ${command} "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${arg_ARGS}
