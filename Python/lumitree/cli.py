@@ -18,7 +18,7 @@ from .choices import LENGTH_SYMBOLS, BvhBuild, Precision, ReceiverLocation, Scen
 from .errors import LumitreeError, LumitreeWarning
 from .files import READERS, read
 from .lightspec import parse_light, triple
-from .reports import Report, outer_surface, report_cost, report_hierarchy, report_irradiance
+from .reports import Report, outer_surface
 from .scenes import scene
 from .screen import restart_with_screen, screen_available
 from .stages import DIRECTIONS, Stage, in_the_open, stage_of
@@ -30,16 +30,14 @@ EXAMPLES = """
 examples:
   python3 -m lumitree bunny.ply
       the hierarchy, the cost of rays and sunlight on a scanned surface, in lumitree-out/
-  python3 -m lumitree hall.stl --length-unit mm --light point:0,0,2500:3000lm --light
-  point:4000,0,2500:3000lm
+  python3 -m lumitree hall.stl --length-unit mm --light point:0,0,2500:900lm --light point:9,9,9:9lm
       two lamps in a hall drawn in millimetres; irradiance.vtp holds lux, also of each lamp alone
   python3 -m lumitree roof.obj --light sun:0.3,0.2,-1:800 --at points --out roof
       sunlight of 800 W/m^2 that travels in the direction (0.3, 0.2, -1), at the points of a roof
-  python3 -m lumitree scene:teapot_in_stadium --structure kd_tree
-      a built-in scene, under a KD-tree instead of the default
+  python3 -m lumitree scene:teapot_in_stadium --structure bvh --precision watertight
+      a built-in scene, under a binary hierarchy, with no ray slipping between triangles
 
-Open hierarchy.vtm, cost.vti, hits.vtp and irradiance.vtp in ParaView. Pictures of them lie beside
-them.
+Open hierarchy.vtm, cost.vti, hits.vtp and irradiance.vtp in ParaView; pictures lie beside them.
 """
 
 
@@ -47,9 +45,9 @@ def make_parser() -> argparse.ArgumentParser:
     """The parser of the command line."""
     parser = argparse.ArgumentParser(
         prog="python3 -m lumitree",
-        description="Builds a hierarchy over a surface and shows it, casts the rays of a camera at "
-        "it and shows what they cost, and computes the light that lamps and sun throw on it, with "
-        "shadows.",
+        description="Builds a hierarchy over a surface and shows it, casts the rays of a camera at\n"
+        "it and shows what they cost, and computes the light that lamps and sun throw on it,\n"
+        "with shadows.",
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -154,6 +152,7 @@ def _run(options: argparse.Namespace) -> None:
         pictures = False
     options.out.mkdir(parents=True, exist_ok=True)
     report = Report(
+        surface,
         directory=options.out,
         view=view,
         pictures=pictures,
@@ -164,11 +163,10 @@ def _run(options: argparse.Namespace) -> None:
         threads=options.threads,
     )
     print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells")
-    print("hierarchy  ", report_hierarchy(report, surface))
-    print("rays       ", report_cost(report, surface, size))
+    print("hierarchy  ", report.hierarchy())
+    print("rays       ", report.cost(size))
     lights = lights or [parse_light(stage.light or sun)]
-    light = report_irradiance(report, surface, lights, options.at, options.length_unit)
-    print("light      ", light)
+    print("light      ", report.light(lights, options.at, options.length_unit))
     written = sorted(file.name for file in options.out.iterdir())
     print(f"written     {options.out}/: {', '.join(written)}")
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from .errors import LumitreeError
 from .lightspec import parse_light
-from .reports import Report, report_cost, report_hierarchy, report_irradiance
+from .reports import Report
 from .scenes import scene
 from .screen import restart_with_screen, screen_available
 from .stages import in_the_open, stage_of
@@ -73,14 +73,14 @@ def _show(name: str, directory: Path, options: dict[str, str]) -> None:
     surface = scene(name, resolution=stage.resolution)
     view, sun = in_the_open(surface.GetBounds(), aspect=SIZE[0] / SIZE[1])
     directory.mkdir(parents=True, exist_ok=True)
-    report = Report(directory, stage.view or view, pictures=screen_available(), **options)
+    report = Report(surface, directory, stage.view or view, pictures=screen_available(), **options)
     print(f"{directory}/: {surface.GetNumberOfCells():,} polygons")
-    print("  hierarchy", report_hierarchy(report, surface))
-    print("  rays     ", report_cost(report, surface, SIZE))
+    print("  hierarchy", report.hierarchy())
+    print("  rays     ", report.cost(SIZE))
     if (
         name != "teapot_in_stadium"
     ):  # its hall is a single cell a wall, too few receivers to look at
-        print("  light    ", report_irradiance(report, surface, [parse_light(stage.light or sun)]))
+        print("  light    ", report.light([parse_light(stage.light or sun)]))
 
 
 if __name__ == "__main__":

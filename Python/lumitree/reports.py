@@ -16,8 +16,8 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vt
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
+from .arrays import from_vtk
 from .camera import View, camera_rays
-from .choices import choose_length_unit
 from .errors import run
 from .files import write
 from .progress import progress_bar
@@ -25,16 +25,15 @@ from .radiometry import irradiance
 from .raycast import Caster
 from .trees import hierarchy
 
-METRES = (1.0, 1e-3, 1e-2, 1e3, 0.0254, 0.3048)  #: per unit, by LengthUnit
-
 #: Boxes in a picture of a hierarchy: more hide each other.
 PICTURE_BOXES = 520
 
 
-@dataclass(frozen=True)
+@dataclass
 class Report:
-    """Where results go, and how they are computed and shown."""
+    """Computes all there is for one surface; leaves it in a directory, which has to exist."""
 
+    surface: vtkPolyData
     directory: Path
     view: View
     pictures: bool = True
@@ -44,15 +43,102 @@ class Report:
     leaf_size: int = 4
     threads: int = 0
 
-    @property
-    def tree_options(self) -> dict[str, str | int]:
-        """The arguments that `hierarchy` and `Caster` share."""
-        return {
+    def __post_init__(self) -> None:
+        self._tree_options = {
             "structure": self.structure,
             "bvh_build": self.bvh_build,
             "leaf_size": self.leaf_size,
             "threads": self.threads,
         }
+        self._caster = Caster(self.surface, precision=self.precision, **self._tree_options)
+
+    def hierarchy(self) -> str:
+        """Writes hierarchy.vtm, and hierarchy.png. Returns a line about it."""
+        with progress_bar("hierarchy") as progress:
+            tree = hierarchy(self.surface, **self._tree_options, progress=progress)
+            self._tree = tree  # the rays find it built
+        write(tree.levels, self.directory / "hierarchy.vtm")
+        if self.pictures:
+            from .pictures import boxes_picture
+
+            path = self.directory / "hierarchy.png"
+            boxes = _upper_boxes(tree.levels)
+            boxes_picture(path, self.surface, boxes, "Depth", "Depth in\nthe tree", self.view)
+        facts = tree.statistics
+        return (
+            f"{facts['Structure']}: {facts['Primitives']:,} triangles in {facts['Nodes']:,} nodes, "
+            f"{facts['Leaves']:,} of them leaves, {facts['Depth']} deep, "
+            f"SAH cost {facts['SahCost']:.4g}, {facts['MemoryBytes'] / 1e6:.3g} MB, "
+            f"built in {facts['BuildSeconds'] * 1e3:.3g} ms"
+        )
+
+    def cost(self, size: tuple[int, int]) -> str:
+        """Casts the rays of a camera of that many pixels; writes cost.vti, hits.vtp, and cost.png.
+        Returns a line about them."""
+        view = self.view
+        camera = camera_rays(
+            view.eye, view.target, up=view.up, angle=view.angle, near=view.near, size=size
+        )
+        with progress_bar("rays") as progress:
+            start = time.perf_counter()
+            self._caster.cast(camera)
+            seconds = time.perf_counter() - start
+            result = self._caster.cast(camera, cost=True, progress=progress)
+        write(result.rays, self.directory / "cost.vti")
+        write(result.hits, self.directory / "hits.vtp")
+        mean = {key: float(np.mean(counts)) for key, counts in result.cost.items()}
+        if self.pictures:
+            from .pictures import image_picture
+
+            array, title = "NodesEntered", "Tree nodes\nentered"
+            if mean["cells_stepped"] > mean["nodes_entered"]:
+                array, title = "CellsStepped", "Grid cells\nstepped"
+            elif mean["nodes_entered"] <= 1:
+                array, title = "PrimitivesTested", "Triangles\ntested"
+            image_picture(self.directory / "cost.png", result.rays, array, title)
+        steps = (
+            f"steps through {mean['cells_stepped']:.3g} cells, " if mean["cells_stepped"] else ""
+        )
+        return (
+            f"{len(result.hit):,} rays in {seconds:.3g} s, {np.mean(result.hit):.0%} hit; on "
+            f"average a ray enters {mean['nodes_entered']:.3g} nodes, {steps}"
+            f"tests {mean['primitives_tested']:.3g} triangles"
+        )
+
+    def light(
+        self, lights: Sequence[vtkDataObject], at: str = "cells", length_unit: str = "m"
+    ) -> str:
+        """Writes irradiance.vtp, and irradiance.png. Returns a line about it."""
+        with progress_bar("irradiance") as progress:
+            result = irradiance(
+                self.surface,
+                lights,
+                at=at,
+                length_unit=length_unit,
+                per_light=len(lights) > 1,
+                precision=self.precision,
+                structure=self.structure,
+                threads=self.threads,
+                progress=progress,
+            )
+        write(result.dataset, self.directory / "irradiance.vtp")
+        quantity = result.name.split()[0]
+        if self.pictures:
+            from .pictures import surface_picture
+
+            path = self.directory / "irradiance.png"
+            title = f"{quantity}\n[{result.unit}]"
+            surface_picture(path, result.dataset, result.name, title, self.view)
+        finite = result.values[np.isfinite(result.values)]
+        if not finite.size:
+            return f"{quantity}: no receiver has a normal"
+        extremes = f"{finite.min():.4g} to {finite.max():.4g} {result.unit}"
+        line = f"{quantity}: {len(finite):,} receivers, {extremes}"
+        if at == "cells":
+            metres = from_vtk(result.dataset.GetFieldData(), "MetresPerUnit")[0]
+            flux = received(result.dataset, result.name) * metres**2
+            line += f"; {flux:.6g} {'lm' if result.unit == 'lx' else 'W'} received in all"
+        return line
 
 
 def outer_surface(data: vtkDataObject) -> vtkPolyData:
@@ -64,100 +150,6 @@ def outer_surface(data: vtkDataObject) -> vtkPolyData:
     extract.SetInputDataObject(data)
     run(extract)
     return extract.GetOutput()
-
-
-def report_hierarchy(report: Report, surface: vtkPolyData) -> str:
-    """Writes hierarchy.vtm, and hierarchy.png. Returns a line about it."""
-    with progress_bar("hierarchy") as progress:
-        tree = hierarchy(surface, **report.tree_options, progress=progress)
-    write(tree.levels, report.directory / "hierarchy.vtm")
-    if report.pictures:
-        from .pictures import boxes_picture
-
-        boxes = _upper_boxes(tree.levels)
-        title = "Depth in\nthe tree"
-        boxes_picture(
-            report.directory / "hierarchy.png", surface, boxes, "Depth", title, report.view
-        )
-    facts = tree.statistics
-    return (
-        f"{facts['Structure']}: {facts['Primitives']:,} triangles in {facts['Nodes']:,} nodes, "
-        f"{facts['Leaves']:,} of them leaves, {facts['Depth']} deep, "
-        f"SAH cost {facts['SahCost']:.4g}, {facts['MemoryBytes'] / 1e6:.3g} MB, "
-        f"built in {facts['BuildSeconds'] * 1e3:.3g} ms"
-    )
-
-
-def report_cost(report: Report, surface: vtkPolyData, size: tuple[int, int]) -> str:
-    """Casts the rays of a camera; writes cost.vti, hits.vtp, and cost.png. Returns a line about
-    them."""
-    view = report.view
-    camera = camera_rays(
-        view.eye, view.target, up=view.up, angle=view.angle, near=view.near, size=size
-    )
-    caster = Caster(surface, precision=report.precision, **report.tree_options)
-    with progress_bar("rays") as progress:
-        start = time.perf_counter()
-        result = caster.cast(camera, cost=True, progress=progress)
-        seconds = time.perf_counter() - start
-    write(result.rays, report.directory / "cost.vti")
-    write(result.hits, report.directory / "hits.vtp")
-    mean = {key: float(np.mean(counts)) for key, counts in result.cost.items()}
-    if report.pictures:
-        from .pictures import image_picture
-
-        array, title = "NodesEntered", "Tree nodes\nentered"
-        if mean["cells_stepped"] > mean["nodes_entered"]:
-            array, title = "CellsStepped", "Grid cells\nstepped"
-        elif mean["nodes_entered"] <= 1:
-            array, title = "PrimitivesTested", "Triangles\ntested"
-        image_picture(report.directory / "cost.png", result.rays, array, title)
-    return (
-        f"{len(result.hit):,} rays, {np.mean(result.hit):.0%} hit; on average a ray enters "
-        f"{mean['nodes_entered']:.3g} nodes, steps through {mean['cells_stepped']:.3g} cells "
-        f"and tests {mean['primitives_tested']:.3g} triangles; {seconds:.3g} s with counting"
-    )
-
-
-def report_irradiance(
-    report: Report,
-    surface: vtkPolyData,
-    lights: Sequence[vtkDataObject],
-    at: str = "cells",
-    length_unit: str = "m",
-) -> str:
-    """Writes irradiance.vtp, and irradiance.png. Returns a line about it."""
-    with progress_bar("irradiance") as progress:
-        result = irradiance(
-            surface,
-            lights,
-            at=at,
-            length_unit=length_unit,
-            per_light=len(lights) > 1,
-            precision=report.precision,
-            structure=report.structure,
-            threads=report.threads,
-            progress=progress,
-        )
-    write(result.dataset, report.directory / "irradiance.vtp")
-    quantity = result.name.split()[0]
-    if report.pictures:
-        from .pictures import surface_picture
-
-        title = f"{quantity}\n[{result.unit}]"
-        surface_picture(
-            report.directory / "irradiance.png", result.dataset, result.name, title, report.view
-        )
-    finite = result.values[np.isfinite(result.values)]
-    if not finite.size:
-        return f"{quantity}: no receiver has a normal"
-    extremes = f"{finite.min():.4g} to {finite.max():.4g} {result.unit}"
-    line = f"{quantity}: {len(finite):,} receivers, {extremes}"
-    if at == "cells":
-        metres = METRES[choose_length_unit(length_unit)]
-        flux = received(result.dataset, result.name) * metres**2
-        line += f"; {flux:.6g} {'lm' if result.unit == 'lx' else 'W'} received in all"
-    return line
 
 
 def received(surface: vtkPolyData, name: str) -> float:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet, vtkTable
 
@@ -24,10 +24,14 @@ class Hierarchy:
         ``Depth``, ``PrimitiveCount``, ``SurfaceAreaCost`` and, with rays, ``Visits``.
     statistics : a dict with the columns of the table Statistics: ``Structure``, ``Nodes``,
         ``Depth``, ``SahCost``, ``MemoryBytes``, ``BuildSeconds`` and more.
+
+    The tree lives as long as this object: rays that are cast meanwhile at the same mesh, with the
+    same options, find it built.
     """
 
     levels: vtkMultiBlockDataSet
     statistics: dict[str, str | int | float]
+    _tree: vtkLumiAccelerationStructure = field(repr=False)
 
 
 def hierarchy(
@@ -66,7 +70,8 @@ def hierarchy(
     if rays is not None:
         tree.SetRaysData(rays)
     run(tree, progress)
-    return Hierarchy(tree.GetOutputDataObject(0), _first_row(tree.GetOutputDataObject(1)))
+    levels, statistics = (tree.GetOutputDataObject(port) for port in (0, 1))
+    return Hierarchy(levels, _first_row(statistics), tree)
 
 
 def _first_row(table: vtkTable) -> dict[str, str | int | float]:
