@@ -45,9 +45,9 @@ def make_parser() -> argparse.ArgumentParser:
     """The parser of the command line."""
     parser = argparse.ArgumentParser(
         prog="python3 -m lumitree",
-        description="Builds a hierarchy over a surface and shows it, casts the rays of a camera at\n"
-        "it and shows what they cost, and computes the light that lamps and sun throw on it,\n"
-        "with shadows.",
+        description="Builds a hierarchy over a surface and shows it, casts the rays of a camera\n"
+        "at it and shows what they cost, and computes the light that lamps and sun throw\n"
+        "on it, with shadows.",
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

@@ -6,10 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
 
 from .arrays import from_vtk, in_range
@@ -60,12 +62,34 @@ class Hits:
     t: np.ndarray | None = None
     cell_id: np.ndarray | None = None
     composite_index: np.ndarray | None = None
-    uv: np.ndarray | None = None
-    normal: np.ndarray | None = None
-    point: np.ndarray | None = None
     ray_id: np.ndarray | None = None
     offsets: np.ndarray | None = None
     cost: dict[str, np.ndarray] | None = None
+
+    @cached_property
+    def uv(self) -> np.ndarray | None:
+        """Barycentric coordinates; made on first use, as are `normal` and `point`."""
+        return self._rows(self.hits.GetPointData().GetArray("UV"))
+
+    @cached_property
+    def normal(self) -> np.ndarray | None:
+        """Unit normals of the triangles."""
+        return self._rows(self.hits.GetPointData().GetArray("Normals"))
+
+    @cached_property
+    def point(self) -> np.ndarray | None:
+        """Where the mesh was hit."""
+        return self._rows(self.hits.GetPoints().GetData())
+
+    def _rows(self, of_hits: vtkDataArray) -> np.ndarray | None:
+        if self.t is None:
+            return None
+        rows = vtk_to_numpy(of_hits)
+        if len(rows) == len(self.t):
+            return rows
+        result = np.full((len(self.t), rows.shape[1]), np.nan, rows.dtype)
+        result[self.hit] = rows
+        return result
 
 
 class Caster:
@@ -211,44 +235,19 @@ def _hits(filter_: vtkLumiRayCast, query: Query, cost: bool) -> Hits:
     ray_set = filter_.GetOutputDataObject(1).NewInstance()
     ray_set.ShallowCopy(filter_.GetOutputDataObject(1))
 
-    per_ray = ray_set.GetPointData()
+    per_ray, per_hit = ray_set.GetPointData(), hits.GetPointData()
     if not per_ray.HasArray("HitMask"):
         per_ray = ray_set.GetCellData()
-    result = {
-        "hit": from_vtk(per_ray, "HitMask").view(bool),
-        "count": from_vtk(per_ray, "HitCount"),
-        "rays": ray_set,
-        "hits": hits,
-    }
-    if cost:
-        result["cost"] = {key: from_vtk(per_ray, name) for key, name in COST_ARRAYS.items()}
+    result = {}
     if query in (Query.CLOSEST, Query.ALL):
-        per_hit = hits.GetPointData()
-        ray_id = from_vtk(per_hit, "RayId")
-        point = vtk_to_numpy(hits.GetPoints().GetData())
-        rows = {
-            "uv": from_vtk(per_hit, "UV"),
-            "normal": from_vtk(per_hit, "Normals"),
-            "point": point,
-        }
         source = per_ray if query == Query.CLOSEST else per_hit
         result["t"] = from_vtk(source, "T")
         result["cell_id"] = from_vtk(source, "CellId")
         result["composite_index"] = from_vtk(source, "CompositeIndex")
-        if query == Query.CLOSEST:
-            rows = {
-                key: _one_row_a_ray(row, ray_id, len(result["hit"])) for key, row in rows.items()
-            }
-        else:
-            result["ray_id"] = ray_id
-            result["offsets"] = np.append(from_vtk(per_ray, "HitOffset"), len(ray_id))
-        result.update(rows)
-    return Hits(**result)
-
-
-def _one_row_a_ray(rows: np.ndarray, ray_id: np.ndarray, count: int) -> np.ndarray:
-    if len(rows) == count:
-        return rows
-    result = np.full((count, rows.shape[1]), np.nan, rows.dtype)
-    result[ray_id] = rows
-    return result
+    if query == Query.ALL:
+        result["ray_id"] = from_vtk(per_hit, "RayId")
+        result["offsets"] = np.append(from_vtk(per_ray, "HitOffset"), hits.GetNumberOfPoints())
+    if cost:
+        result["cost"] = {key: from_vtk(per_ray, name) for key, name in COST_ARRAYS.items()}
+    hit, count = from_vtk(per_ray, "HitMask").view(bool), from_vtk(per_ray, "HitCount")
+    return Hits(hit, count, ray_set, hits, **result)
