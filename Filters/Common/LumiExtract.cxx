@@ -5,12 +5,17 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkExplicitStructuredGrid.h"
 #include "vtkExtractCells.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace lumitree::filters
 {
@@ -19,37 +24,6 @@ namespace
 
 constexpr const char* cellIdsName = "LumitreeCellIds";
 constexpr const char* pointIdsName = "LumitreePointIds";
-
-constexpr unsigned char hiddenBits =
-  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-
-bool anyBit(vtkUnsignedCharArray* ghosts, unsigned char bits)
-{
-  bool any = false;
-  for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfTuples() && !any; ++i)
-  {
-    any = (ghosts->GetValue(i) & bits) != 0;
-  }
-  return any;
-}
-
-/// A ghost array that does not fit its dataset says nothing.
-vtkUnsignedCharArray* ofLength(vtkUnsignedCharArray* ghosts, vtkIdType length)
-{
-  return ghosts && ghosts->GetNumberOfValues() == length ? ghosts : nullptr;
-}
-
-bool usesHiddenPoint(vtkIdList* points, vtkUnsignedCharArray* pointGhosts)
-{
-  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-  {
-    if (pointGhosts->GetValue(points->GetId(i)) & vtkDataSetAttributes::HIDDENPOINT)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 vtkSmartPointer<vtkIdTypeArray> countUp(vtkIdType n, const char* name)
 {
@@ -63,92 +37,63 @@ vtkSmartPointer<vtkIdTypeArray> countUp(vtkIdType n, const char* name)
   return ids;
 }
 
-/// The dataset without arrays. VTK's surface filters treat ghosts differently from version to
-/// version (the newer ones leave a hole where a hidden cell was), so they get to see none.
-vtkSmartPointer<vtkDataSet> bareCopy(vtkDataSet* data)
+/// The dataset without its arrays, with the numbers of its cells and points in their place. VTK's
+/// surface filters treat ghosts differently from version to version (the newer ones leave a hole
+/// where a hidden cell was), so they get to see none; and the ids that they offer to pass on are
+/// wrong for nonlinear cells.
+vtkSmartPointer<vtkDataSet> numbered(vtkDataSet* data)
 {
-  auto bare = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-  bare->CopyStructure(data);
-  bare->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  bare->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  return bare;
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+  copy->CopyStructure(data);
+  copy->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  copy->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  copy->GetPointData()->AddArray(countUp(copy->GetNumberOfPoints(), pointIdsName));
+  copy->GetCellData()->AddArray(countUp(copy->GetNumberOfCells(), cellIdsName));
+  return copy;
 }
 
-/// The cells that are not hidden, with the ids they had.
+/// The cells that are not hidden, as an unstructured grid.
 vtkSmartPointer<vtkDataSet> withoutHidden(vtkDataSet* data, const CellSelection& selection)
 {
-  vtkSmartPointer<vtkDataSet> bare = bareCopy(data);
-  bare->GetCellData()->AddArray(countUp(bare->GetNumberOfCells(), cellIdsName));
-  bare->GetPointData()->AddArray(countUp(bare->GetNumberOfPoints(), pointIdsName));
-  vtkNew<vtkIdList> list;
-  for (vtkIdType i = 0; i < bare->GetNumberOfCells(); ++i)
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
     if (selection[i] != CellState::Hidden)
     {
-      list->InsertNextId(i);
+      kept->InsertNextId(i);
     }
   }
   vtkNew<vtkExtractCells> extract;
-  extract->SetInputData(bare);
-  extract->SetCellList(list);
+  extract->SetInputData(data);
+  extract->SetCellList(kept);
   extract->Update();
   return extract->GetOutput();
 }
 
-/// ids[outer[i]], where each list may be absent (the identity) and −1 stays.
-vtkSmartPointer<vtkIdTypeArray> compose(vtkIdTypeArray* outer, vtkIdTypeArray* ids)
+/// Points that were made carry an interpolated number, which is none of theirs: they get −1.
+void forgetMadePoints(vtkDataSet* data, vtkPolyData* polygons, vtkIdTypeArray* pointIds)
 {
-  auto result = vtkSmartPointer<vtkIdTypeArray>::New();
-  result->SetNumberOfValues(outer->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < outer->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; i < polygons->GetNumberOfPoints(); ++i)
   {
-    const vtkIdType id = outer->GetValue(i);
-    result->SetValue(i, ids && id >= 0 ? ids->GetValue(id) : id);
+    const vtkIdType id = pointIds->GetValue(i);
+    double surface[3];
+    double original[3] = { 0.0, 0.0, 0.0 };
+    polygons->GetPoint(i, surface);
+    const bool exists = id >= 0 && id < data->GetNumberOfPoints();
+    if (exists)
+    {
+      data->GetPoint(id, original);
+    }
+    // A point that is not a number is not equal to itself, and is no made one either: keep it.
+    const auto matches = [](double a, double b) { return a == b || std::isnan(a); };
+    if (!exists || !std::equal(surface, surface + 3, original, matches))
+    {
+      pointIds->SetValue(i, -1);
+    }
   }
-  return result;
 }
 
 } // namespace
-
-CellSelection selectCells(vtkDataSet* data)
-{
-  CellSelection selection;
-  vtkUnsignedCharArray* cellGhosts = ofLength(data->GetCellGhostArray(), data->GetNumberOfCells());
-  vtkUnsignedCharArray* pointGhosts =
-    ofLength(data->GetPointGhostArray(), data->GetNumberOfPoints());
-  if (!anyBit(pointGhosts, vtkDataSetAttributes::HIDDENPOINT))
-  {
-    pointGhosts = nullptr;
-  }
-  if (!pointGhosts && !anyBit(cellGhosts, hiddenBits | vtkDataSetAttributes::DUPLICATECELL))
-  {
-    return selection;
-  }
-  const vtkIdType cells = data->GetNumberOfCells();
-  selection.states.resize(static_cast<std::size_t>(cells), CellState::Occludes);
-  vtkNew<vtkIdList> points;
-  for (vtkIdType i = 0; i < cells; ++i)
-  {
-    const unsigned char ghost = cellGhosts ? cellGhosts->GetValue(i) : 0;
-    bool hidden = (ghost & hiddenBits) != 0;
-    if (!hidden && pointGhosts)
-    {
-      data->GetCellPoints(i, points);
-      hidden = usesHiddenPoint(points, pointGhosts);
-    }
-    if (hidden)
-    {
-      selection.states[static_cast<std::size_t>(i)] = CellState::Hidden;
-      ++selection.hidden;
-    }
-    else if (ghost & vtkDataSetAttributes::DUPLICATECELL)
-    {
-      selection.states[static_cast<std::size_t>(i)] = CellState::Duplicate;
-      ++selection.duplicate;
-    }
-  }
-  return selection;
-}
 
 ExtractedSurface extractSurface(vtkDataSet* data, const CellSelection& selection)
 {
@@ -159,33 +104,34 @@ ExtractedSurface extractSurface(vtkDataSet* data, const CellSelection& selection
     return result;
   }
 
-  vtkSmartPointer<vtkDataSet> visible = bareCopy(data);
-  vtkSmartPointer<vtkIdTypeArray> cellIds;
-  vtkSmartPointer<vtkIdTypeArray> pointIds;
-  if (selection.hidden > 0)
+  vtkSmartPointer<vtkDataSet> visible = numbered(data);
+  // VTK's surface filter knows no explicit structured grids: it would give inner faces as well.
+  if (selection.hidden > 0 || vtkExplicitStructuredGrid::SafeDownCast(data))
   {
-    visible = withoutHidden(data, selection);
-    cellIds = vtkIdTypeArray::SafeDownCast(visible->GetCellData()->GetArray(cellIdsName));
-    pointIds = vtkIdTypeArray::SafeDownCast(visible->GetPointData()->GetArray(pointIdsName));
-    visible->GetCellData()->Initialize();
-    visible->GetPointData()->Initialize();
+    visible = withoutHidden(visible, selection);
   }
-
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(visible);
-  surface->PassThroughCellIdsOn();
-  surface->PassThroughPointIdsOn();
   surface->Update();
   result.polygons = surface->GetOutput();
-  auto* outerCells = vtkIdTypeArray::SafeDownCast(
-    result.polygons->GetCellData()->GetArray(surface->GetOriginalCellIdsName()));
-  auto* outerPoints = vtkIdTypeArray::SafeDownCast(
-    result.polygons->GetPointData()->GetArray(surface->GetOriginalPointIdsName()));
-  if (outerCells && outerPoints)
+  if (result.polygons->GetNumberOfCells() == 0)
   {
-    result.cellIds = compose(outerCells, cellIds);
-    result.pointIds = compose(outerPoints, pointIds);
+    return result;
   }
+
+  result.cellIds =
+    vtkIdTypeArray::SafeDownCast(result.polygons->GetCellData()->GetArray(cellIdsName));
+  result.pointIds =
+    vtkIdTypeArray::SafeDownCast(result.polygons->GetPointData()->GetArray(pointIdsName));
+  if (!result.cellIds ||
+    result.cellIds->GetNumberOfValues() != result.polygons->GetNumberOfCells() ||
+    !result.pointIds ||
+    result.pointIds->GetNumberOfValues() != result.polygons->GetNumberOfPoints())
+  {
+    throw std::runtime_error(std::string("VTK does not say which cells the surface of a ") +
+      data->GetClassName() + " is of");
+  }
+  forgetMadePoints(data, result.polygons, result.pointIds);
   return result;
 }
 

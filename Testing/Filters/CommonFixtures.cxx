@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -69,6 +70,13 @@ vtkSmartPointer<vtkPolyData> squares(int n, double height, int type)
   return polygons(points, cells, type);
 }
 
+vtkSmartPointer<vtkImageData> voxels(int nx, int ny, int nz)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(nx + 1, ny + 1, nz + 1);
+  return image;
+}
+
 void setGhosts(vtkDataSet* data, const std::vector<int>& values)
 {
   vtkNew<vtkUnsignedCharArray> ghosts;
@@ -95,6 +103,34 @@ lumitree::Vec3 areaVector(const lumitree::Surface& surface, lumitree::PrimitiveI
   using namespace lumitree; // Vec3 is a std::array: its operators are not found by themselves
   const auto v = surface.vertices(primitive);
   return cross(v[1] - v[0], v[2] - v[0]);
+}
+
+double surfaceArea(const lumitree::filters::SurfaceInput& input)
+{
+  double sum = 0.0;
+  for (lumitree::PrimitiveId i = 0; i < input.surface->size(); ++i)
+  {
+    sum += 0.5 * lumitree::length(areaVector(*input.surface, i));
+  }
+  return sum;
+}
+
+void expectMapsBack(const lumitree::filters::SurfaceInput& input)
+{
+  for (lumitree::PrimitiveId i = 0; i < input.surface->size(); ++i)
+  {
+    vtkDataSet* leaf = input.leaves[input.leafOf(i)].data;
+    const auto ids = input.leafPointIds(i);
+    vtkNew<vtkIdList> ofCell;
+    leaf->GetCellPoints(input.leafCellId(i), ofCell);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      lumitree::Vec3 p;
+      leaf->GetPoint(ids[k], p.data());
+      EXPECT_EQ(input.surface->vertices(i)[k], p) << "primitive " << i;
+      EXPECT_GE(ofCell->IsId(ids[k]), 0) << "primitive " << i;
+    }
+  }
 }
 
 std::shared_ptr<const lumitree::filters::SurfaceInput> surfaceOf(vtkDataObject* data)

@@ -6,12 +6,12 @@
 #include "LumiCache.h"
 
 #include "vtkCommand.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -41,6 +41,9 @@ vtkSmartPointer<vtkPolyData> polygons(
 /// A regular polygon mesh: n × n squares in the plane z = height, unit spacing.
 vtkSmartPointer<vtkPolyData> squares(int n, double height = 0.0, int type = VTK_DOUBLE);
 
+/// An image of nx × ny × nz unit voxels.
+vtkSmartPointer<vtkImageData> voxels(int nx, int ny, int nz);
+
 /// A ghost array of the cells with these values.
 void setGhosts(vtkDataSet* data, const std::vector<int>& values);
 
@@ -49,6 +52,13 @@ std::vector<std::int64_t> cellsOf(const lumitree::filters::SurfaceInput& input);
 
 /// Twice the area vector of a primitive.
 lumitree::Vec3 areaVector(const lumitree::Surface& surface, lumitree::PrimitiveId primitive);
+
+/// The area of all primitives.
+double surfaceArea(const lumitree::filters::SurfaceInput& input);
+
+/// Expects that every vertex of every primitive is the point that its leaf says it is, a point of
+/// the cell.
+void expectMapsBack(const lumitree::filters::SurfaceInput& input);
 
 /// The surface of one rank, which must come without an error.
 std::shared_ptr<const lumitree::filters::SurfaceInput> surfaceOf(vtkDataObject* data);

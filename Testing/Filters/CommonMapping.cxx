@@ -7,117 +7,22 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSOADataArrayTemplate.h"
-#include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 #include "vtkTree.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-#include <numeric>
 #include <set>
 
 using namespace lumitree;
 using namespace lumitree::filters;
-
-namespace
-{
-
-vtkSmartPointer<vtkImageData> voxels(int nx, int ny, int nz)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(nx + 1, ny + 1, nz + 1);
-  return image;
-}
-
-/// Every vertex of every primitive is the point that the leaf says it is, and belongs to the cell.
-void expectMapsBack(const SurfaceInput& input)
-{
-  for (PrimitiveId i = 0; i < input.surface->size(); ++i)
-  {
-    vtkDataSet* leaf = input.leaves[input.leafOf(i)].data;
-    const auto ids = input.leafPointIds(i);
-    vtkNew<vtkIdList> ofCell;
-    leaf->GetCellPoints(input.leafCellId(i), ofCell);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      Vec3 p;
-      leaf->GetPoint(ids[k], p.data());
-      EXPECT_EQ(input.surface->vertices(i)[k], p) << "primitive " << i;
-      EXPECT_GE(ofCell->IsId(ids[k]), 0) << "primitive " << i;
-    }
-  }
-}
-
-double area(const SurfaceInput& input)
-{
-  double sum = 0.0;
-  for (PrimitiveId i = 0; i < input.surface->size(); ++i)
-  {
-    sum += 0.5 * length(areaVector(*input.surface, i));
-  }
-  return sum;
-}
-
-} // namespace
-
-TEST(Mapping, ImageGivesItsOuterFacesByCell)
-{
-  const auto input = surfaceOf(voxels(3, 2, 2));
-  const auto cells = cellsOf(*input);
-  EXPECT_TRUE(std::is_sorted(cells.begin(), cells.end()));
-  EXPECT_EQ(input->surface->size(), 2u * 2 * (3 * 2 + 3 * 2 + 2 * 2));
-  EXPECT_DOUBLE_EQ(area(*input), 2.0 * (3 * 2 + 3 * 2 + 2 * 2));
-  expectMapsBack(*input);
-  EXPECT_EQ(input->primitivesOfCell(0, 0).size(), 6u) << "a corner voxel shows three faces";
-}
-
-TEST(Mapping, UnstructuredGridOfManyKinds)
-{
-  vtkNew<vtkUnstructuredGrid> grid;
-  const auto image = voxels(2, 2, 2);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    points->InsertNextPoint(image->GetPoint(i));
-  }
-  grid->SetPoints(points);
-  const vtkIdType vertex[] = { 4 };
-  const vtkIdType hexahedron[] = { 0, 1, 4, 3, 9, 10, 13, 12 };
-  const vtkIdType tetra[] = { 9, 10, 12, 18 }; // on top of the hexahedron
-  const vtkIdType quad[] = { 4, 5, 8, 7 };
-  const vtkIdType triangle[] = { 13, 14, 17 };
-  grid->InsertNextCell(VTK_VERTEX, 1, vertex);
-  grid->InsertNextCell(VTK_QUAD, 4, quad);
-  grid->InsertNextCell(VTK_HEXAHEDRON, 8, hexahedron);
-  grid->InsertNextCell(VTK_TETRA, 4, tetra);
-  grid->InsertNextCell(VTK_TRIANGLE, 3, triangle);
-  const auto input = surfaceOf(grid);
-  std::map<std::int64_t, int> count;
-  for (const std::int64_t cell : cellsOf(*input))
-  {
-    ++count[cell];
-  }
-  EXPECT_EQ(count, (std::map<std::int64_t, int>{ { 1, 2 }, { 2, 12 }, { 3, 4 }, { 4, 1 } }));
-  EXPECT_EQ(input->passedOver, 1u);
-  const auto cells = cellsOf(*input);
-  EXPECT_TRUE(std::is_sorted(cells.begin(), cells.end()));
-  expectMapsBack(*input);
-}
 
 TEST(Mapping, PrimitivesOfCellsAndAroundPoints)
 {
@@ -236,48 +141,6 @@ TEST(Mapping, GhostsDoNotOcclude)
   EXPECT_EQ(cellsOf(*input), (std::vector<std::int64_t>{ 0, 0, 3, 3 }));
   EXPECT_EQ(input->hiddenCells, 1u);
   EXPECT_EQ(input->duplicateCells, 1u);
-}
-
-TEST(Mapping, WhatAHiddenCellCoveredShows)
-{
-  // A row of three voxels without its middle: two cubes. Without the last, a duplicate: a box open
-  // at the side where the other rank goes on.
-  const auto image = voxels(3, 1, 1);
-  setGhosts(image, { 0, vtkDataSetAttributes::HIDDENCELL, 0 });
-  const auto hidden = surfaceOf(image);
-  EXPECT_DOUBLE_EQ(area(*hidden), 12.0);
-  EXPECT_EQ(hidden->hiddenCells, 1u);
-  expectMapsBack(*hidden);
-
-  const auto duplicated = voxels(3, 1, 1);
-  setGhosts(duplicated, { 0, 0, vtkDataSetAttributes::DUPLICATECELL });
-  const auto open = surfaceOf(duplicated);
-  EXPECT_DOUBLE_EQ(area(*open), 9.0);
-  EXPECT_EQ(open->duplicateCells, 1u);
-  expectMapsBack(*open);
-}
-
-TEST(Mapping, BlankedStructuredGridAndHiddenPoints)
-{
-  vtkNew<vtkStructuredGrid> grid;
-  grid->SetDimensions(4, 2, 2);
-  vtkNew<vtkPoints> points;
-  const auto image = voxels(3, 1, 1);
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    points->InsertNextPoint(image->GetPoint(i));
-  }
-  grid->SetPoints(points);
-  grid->BlankCell(0);
-  const auto blankCell = surfaceOf(grid);
-  EXPECT_DOUBLE_EQ(area(*blankCell), 10.0);
-  expectMapsBack(*blankCell);
-
-  grid->BlankPoint(3); // a corner of cell 2
-  grid->GetPointData()->Modified();
-  const auto blankPoint = surfaceOf(grid);
-  EXPECT_DOUBLE_EQ(area(*blankPoint), 6.0);
-  EXPECT_EQ(blankPoint->hiddenCells, 2u);
 }
 
 TEST(Mapping, PointsKeepTheirTypeAndMemory)
