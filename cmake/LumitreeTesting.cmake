@@ -97,7 +97,7 @@ function (lumitree_add_python_test name script)
 endfunction ()
 
 # lumitree_add_benchmark(<name> <source>... [LIBS <target>...])
-# A Google Benchmark binary under Testing/Benchmarks. Built only with the target `benchmarks`.
+# A Google Benchmark binary in bin/benchmarks, built only with the target `benchmarks`.
 function (lumitree_add_benchmark name)
   if (NOT TARGET benchmark::benchmark)
     return ()
@@ -107,6 +107,8 @@ function (lumitree_add_benchmark name)
   target_link_libraries("${name}" PRIVATE
     Lumitree::FloatingPoint Lumitree::Accel Lumitree::Data Lumitree::Radiometry ${arg_LIBS}
     benchmark::benchmark)
+  set_target_properties("${name}" PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/benchmarks")
   lumitree_warnings("${name}")
   if (NOT TARGET benchmarks)
     add_custom_target(benchmarks)

@@ -11,7 +11,7 @@ with tempfile.TemporaryDirectory() as home:
     # Settings of its own: no recent state, no welcome window, no plugins remembered.
     environment = dict(os.environ, XDG_CONFIG_HOME=home, HOME=home, XDG_RUNTIME_DIR=home)
     run = subprocess.run(
-        [os.environ["LUMITREE_PARAVIEW"], "--dr", f"--script={script}"],
+        [os.environ["LUMITREE_PARAVIEW_CLIENT"], "--dr", f"--script={script}"],
         env=environment,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
