@@ -10,6 +10,8 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -70,27 +72,36 @@ vtkSmartPointer<vtkDataSet> withoutHidden(vtkDataSet* data, const CellSelection&
   return extract->GetOutput();
 }
 
-/// Points that were made carry an interpolated number, which is none of theirs: they get −1.
-void forgetMadePoints(vtkDataSet* data, vtkPolyData* polygons, vtkIdTypeArray* pointIds)
+/// Gives the points of the surface the coordinates that they have in the dataset, and their ids: of
+/// images VTK makes them floats, which would move the surface. Points that were made (inside
+/// nonlinear faces) carry an interpolated number, which is the id of another point: they get −1 and
+/// stay where they are.
+void restorePoints(vtkDataSet* data, vtkPolyData* polygons, vtkIdTypeArray* pointIds)
 {
+  vtkNew<vtkPoints> points;
+  const int type = vtkPointSet::SafeDownCast(data)
+    ? vtkPointSet::SafeDownCast(data)->GetPoints()->GetDataType()
+    : VTK_DOUBLE;
+  points->SetDataType(type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(polygons->GetNumberOfPoints());
+  const auto matches = [](double a, double b)
+  { return static_cast<float>(a) == static_cast<float>(b) || std::isnan(a); };
   for (vtkIdType i = 0; i < polygons->GetNumberOfPoints(); ++i)
   {
-    const vtkIdType id = pointIds->GetValue(i);
-    double surface[3];
+    double made[3];
     double original[3] = { 0.0, 0.0, 0.0 };
-    polygons->GetPoint(i, surface);
+    polygons->GetPoint(i, made);
+    const vtkIdType id = pointIds->GetValue(i);
     const bool exists = id >= 0 && id < data->GetNumberOfPoints();
     if (exists)
     {
       data->GetPoint(id, original);
     }
-    // A point that is not a number is not equal to itself, and is no made one either: keep it.
-    const auto matches = [](double a, double b) { return a == b || std::isnan(a); };
-    if (!exists || !std::equal(surface, surface + 3, original, matches))
-    {
-      pointIds->SetValue(i, -1);
-    }
+    const bool same = exists && std::equal(made, made + 3, original, matches);
+    points->SetPoint(i, same ? original : made);
+    pointIds->SetValue(i, same ? id : -1);
   }
+  polygons->SetPoints(points);
 }
 
 } // namespace
@@ -131,7 +142,7 @@ ExtractedSurface extractSurface(vtkDataSet* data, const CellSelection& selection
     throw std::runtime_error(std::string("VTK does not say which cells the surface of a ") +
       data->GetClassName() + " is of");
   }
-  forgetMadePoints(data, result.polygons, result.pointIds);
+  restorePoints(data, result.polygons, result.pointIds);
   return result;
 }
 

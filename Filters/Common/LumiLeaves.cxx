@@ -21,17 +21,15 @@ namespace lumitree::filters
 namespace
 {
 
-void addLeaf(vtkDataObject* object, std::int64_t compositeIndex, std::vector<InputLeaf>& leaves)
+vtkDataSet* datasetOf(vtkDataObject* object)
 {
-  if (vtkDataSet* data = vtkDataSet::SafeDownCast(object))
-  {
-    leaves.push_back({ data, compositeIndex });
-  }
-  else if (!vtkTable::SafeDownCast(object))
+  vtkDataSet* data = vtkDataSet::SafeDownCast(object);
+  if (!data)
   {
     throw std::invalid_argument(std::string("a surface cannot be taken from a ") +
       object->GetClassName() + " (a dataset, or a composite of datasets, is needed)");
   }
+  return data;
 }
 
 void add(GeometryKey& key, const void* pointer)
@@ -89,7 +87,7 @@ std::vector<InputLeaf> leavesOf(vtkDataObject* input)
   {
     if (input)
     {
-      addLeaf(input, 0, leaves);
+      leaves.push_back({ datasetOf(input), 0 });
     }
     return leaves;
   }
@@ -97,8 +95,12 @@ std::vector<InputLeaf> leavesOf(vtkDataObject* input)
   nodes->SkipEmptyNodesOn();
   for (nodes->InitTraversal(); !nodes->IsDoneWithTraversal(); nodes->GoToNextItem())
   {
-    addLeaf(nodes->GetCurrentDataObject(), static_cast<std::int64_t>(nodes->GetCurrentFlatIndex()),
-      leaves);
+    vtkDataObject* object = nodes->GetCurrentDataObject();
+    if (!vtkTable::SafeDownCast(object))
+    {
+      leaves.push_back(
+        { datasetOf(object), static_cast<std::int64_t>(nodes->GetCurrentFlatIndex()) });
+    }
   }
   return leaves;
 }

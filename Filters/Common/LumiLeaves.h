@@ -20,9 +20,9 @@ struct InputLeaf
 };
 
 /// A dataset itself, or the datasets of a composite (multiblock, partitioned, AMR) in its order,
-/// empty nodes skipped. Tables have no geometry and are passed over; null has no leaves. Throws
-/// std::invalid_argument for anything else, rather than leaving out geometry that was meant to cast
-/// a shadow.
+/// empty nodes skipped. Tables within a composite have no geometry and are passed over; null has no
+/// leaves. Throws std::invalid_argument for anything else, rather than leaving out geometry that
+/// was meant to cast a shadow.
 [[nodiscard]] std::vector<InputLeaf> leavesOf(vtkDataObject* input);
 
 /// What the geometry of leaves is recognised by: identities and MTimes, and what changes when

@@ -213,6 +213,16 @@ TEST(Datasets, QuadraticFacesUseTheirMiddles)
   EXPECT_EQ(input->primitivesAroundPoint(0, 4).size(), 16u);
 }
 
+TEST(Datasets, PointsOfImagesAreNotRounded)
+{
+  const auto image = voxels(3, 2, 2);
+  image->SetSpacing(0.1, 0.1, 0.1);
+  image->SetOrigin(1e7, 1.0 / 3.0, 0.0);
+  const auto input = surfaceOf(image);
+  EXPECT_EQ(input->surface->scalar(), ArrayView::Scalar::Double);
+  expectMapsBack(*input);
+}
+
 TEST(Datasets, PlaneImageAndFlatGridsAreSurfaces)
 {
   const auto image = voxels(3, 2, 0);

@@ -102,13 +102,22 @@ TEST(Mapping, PartitionedCollection)
   EXPECT_EQ(different.size(), 3u);
 }
 
-TEST(Mapping, LeafWithoutASurfaceIsOneError)
+TEST(Mapping, WhatHasNoSurfaceIsOneError)
 {
-  Reporter reporter;
   vtkNew<vtkTree> tree;
-  EXPECT_FALSE(surfaceFor(tree, nullptr, reporter.algorithm()));
-  EXPECT_EQ(reporter.errors, 1);
-  EXPECT_NE(reporter.text.find("vtkTree"), std::string::npos) << reporter.text;
+  vtkNew<vtkTable> table;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, squares(1));
+  blocks->SetBlock(1, tree);
+  for (vtkDataObject* data : { static_cast<vtkDataObject*>(tree),
+         static_cast<vtkDataObject*>(table), static_cast<vtkDataObject*>(blocks) })
+  {
+    Reporter reporter;
+    EXPECT_FALSE(surfaceFor(data, nullptr, reporter.algorithm()));
+    EXPECT_EQ(reporter.errors, 1);
+    const std::string name = data == table ? "vtkTable" : "vtkTree";
+    EXPECT_NE(reporter.text.find(name), std::string::npos) << reporter.text;
+  }
 }
 
 TEST(Mapping, EmptyInputsAreEmptySurfaces)
