@@ -97,7 +97,8 @@ function (lumitree_add_python_test name script)
 endfunction ()
 
 # lumitree_add_benchmark(<name> <source>... [LIBS <target>...])
-# A Google Benchmark binary in bin/benchmarks, built only with the target `benchmarks`.
+# A program in bin/benchmarks that prints a table when run without arguments, with or without Google
+# Benchmark. Built only with the target `benchmarks`.
 function (lumitree_add_benchmark name)
   if (NOT TARGET benchmark::benchmark)
     return ()
