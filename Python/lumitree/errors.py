@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import re
+import signal
+import threading
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -67,30 +69,48 @@ def reported(*objects: vtkObject) -> Iterator[None]:
         warnings.warn(caution, LumitreeWarning, stacklevel=4)
 
 
+@contextmanager
+def _interrupt(stop: Callable[[BaseException], None]) -> Iterator[None]:
+    """Calls `stop` on Ctrl-C, instead of raising it wherever Python is: VTK ends the process when a
+    KeyboardInterrupt comes out of an observer."""
+    ours = threading.current_thread() is threading.main_thread()
+    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield
+        return
+    signal.signal(signal.SIGINT, lambda _number, _frame: stop(KeyboardInterrupt()))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 def run(algorithm: vtkAlgorithm, progress: Callable[[float], None] | None = None) -> None:
     """Updates an algorithm.
 
-    progress : called with the part that is done, from 0 to 1, on this thread. What it raises
-        (KeyboardInterrupt, for instance) stops the algorithm and is raised here.
+    progress : called with the part that is done, from 0 to 1, on this thread. What it raises stops
+        the algorithm and is raised here; so is Ctrl-C, with or without it.
 
     Raises LumitreeError with the message of the algorithm's error, if it has one.
     """
     raised: list[BaseException] = []
 
+    def stop(error: BaseException) -> None:
+        raised.append(error)
+        algorithm.SetAbortExecute(1)
+
     def on_progress(caller: vtkAlgorithm, _event: str) -> None:
         try:
-            progress(caller.GetProgress())
+            if progress:
+                progress(caller.GetProgress())
         except BaseException as error:  # VTK would print it and go on
-            raised.append(error)
-            caller.SetAbortExecute(1)
+            stop(error)
 
-    tag = algorithm.AddObserver("ProgressEvent", on_progress) if progress else None
+    tag = algorithm.AddObserver("ProgressEvent", on_progress)
     try:
-        with reported(algorithm, algorithm.GetExecutive()):
+        with _interrupt(stop), reported(algorithm, algorithm.GetExecutive()):
             algorithm.Update()
     finally:
-        if tag is not None:
-            algorithm.RemoveObserver(tag)
-            algorithm.SetAbortExecute(0)
+        algorithm.RemoveObserver(tag)
+        algorithm.SetAbortExecute(0)
         if raised:
             raise raised[0]

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shapes, types, limits and queries of `cast`."""
 
+import signal
+import threading
+
 import numpy as np
 import pytest
 from meshes import floor, joined, random_rays, random_triangles
@@ -177,3 +180,14 @@ def test_what_progress_raises_is_raised():
     with pytest.raises(KeyboardInterrupt):
         caster.cast(*random_rays(20000), progress=stop)
     assert len(caster.cast(*random_rays(10)).t) == 10
+
+
+def test_ctrl_c_stops_a_cast_and_not_the_process():
+    caster = lumitree.Caster(random_triangles(1000))
+    for progress in (None, lambda part: None):
+        after = threading.Timer(0.1, signal.raise_signal, [signal.SIGINT])
+        after.start()
+        with pytest.raises(KeyboardInterrupt):
+            while True:
+                caster.cast(*random_rays(200000), progress=progress)
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
