@@ -73,7 +73,8 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
   double spread = high - low;
   Crossing x;
   x.edges = e;
-  if (sum > 0.0 && sum <= std::numeric_limits<double>::max())
+  // Sums outside this range have no reciprocal, and weights within their error.
+  if (sum >= 0x1p-1020 && sum <= std::numeric_limits<double>::max())
   {
     const double share = 1.0 / sum;
     x.u = weights[1] * share;
@@ -100,6 +101,11 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
   x.tHigh = std::max(first, second);
   x.tLow -= std::fabs(x.tLow) * 0x1p-51 + 0x1p-1020;
   x.tHigh += std::fabs(x.tHigh) * 0x1p-51 + 0x1p-1020;
+  if (!(x.tLow <= x.tHigh)) // NaN, where the direction is too short for a reciprocal or t overflows
+  {
+    x.tLow = -std::numeric_limits<double>::infinity();
+    x.tHigh = std::numeric_limits<double>::infinity();
+  }
   return x;
 }
 
