@@ -326,6 +326,20 @@ TEST(Triangles, TScalesWithTheDirection)
   });
 }
 
+TEST(Triangles, DirectionsWithoutAFiniteReciprocalStillHit)
+{
+  forEvery({ unitTriangle }, { Precision::Watertight, Precision::Exact },
+    [](const Accelerator& accelerator, Precision precision) {
+      for (const double z : { 0.0, 0x1p-60, 0x1p-10 })
+      {
+        const Ray ray = { { 0.25, 0.25, -z }, { 0, 0, 0x1p-1030 } };
+        const Hit hit = closestOf(accelerator, ray, precision);
+        EXPECT_EQ(hit.primitive, 0u) << z;
+        EXPECT_EQ(hit.t, z * 0x1p515 * 0x1p515);
+      }
+    });
+}
+
 TEST(Triangles, BarycentricCoordinatesGiveTheHitPoint)
 {
   const Corners corners = { Vec3{ 1, 2, 3 }, Vec3{ 4, 1, 2 }, Vec3{ 2, 5, 4 } };
