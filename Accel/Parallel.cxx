@@ -5,6 +5,7 @@
 #include "Accel/FloatEnvironment.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -50,7 +51,10 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
   }
   else
   {
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    // oneTBB warns on the standard error of a program that asks for more than it may have.
+    const auto allowed = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    tbb::task_arena arena(threads > 0 ? std::min(threads, allowed) : tbb::task_arena::automatic);
     arena.execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {

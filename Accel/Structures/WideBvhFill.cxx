@@ -42,8 +42,8 @@ WideBvhNode emptyNode()
   WideBvhNode node{};
   for (int k = 0; k < 3; ++k)
   {
-    std::fill_n(node.lower[k], wideArity, std::numeric_limits<float>::infinity());
-    std::fill_n(node.upper[k], wideArity, -std::numeric_limits<float>::infinity());
+    std::fill_n(node.planes[k], wideArity, std::numeric_limits<float>::infinity());
+    std::fill_n(node.planes[k + 3], wideArity, -std::numeric_limits<float>::infinity());
   }
   return node;
 }
@@ -111,8 +111,8 @@ WideBvhNodes fillWideBvh(
       const Box& box = binary.nodes[child.binary].box;
       for (int k = 0; k < 3; ++k)
       {
-        wide.lower[k][lane] = roundedDown(box.lower[k], tree.frame.centre[k], tree.frame.scale);
-        wide.upper[k][lane] = roundedUp(box.upper[k], tree.frame.centre[k], tree.frame.scale);
+        wide.planes[k][lane] = roundedDown(box.lower[k], tree.frame.centre[k], tree.frame.scale);
+        wide.planes[k + 3][lane] = roundedUp(box.upper[k], tree.frame.centre[k], tree.frame.scale);
       }
       wide.child[lane] = nodeOf[node.firstChild + lane];
       if (child.leaf)

@@ -18,8 +18,7 @@ inline constexpr int wideArity = 8;
 /// child have a box that no ray meets.
 struct alignas(64) WideBvhNode
 {
-  float lower[3][wideArity];
-  float upper[3][wideArity];
+  float planes[6][wideArity]; ///< lower x, y, z, then upper x, y, z
   std::uint32_t child[wideArity];
   std::uint32_t count[wideArity];
 };

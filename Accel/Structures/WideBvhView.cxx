@@ -12,15 +12,15 @@ Box boxOf(const WideBvhFrame& frame, const WideBvhNode& node, int lane)
   Box box;
   for (int k = 0; k < 3; ++k)
   {
-    box.lower[k] = frame.centre[k] + static_cast<double>(node.lower[k][lane]) / frame.scale;
-    box.upper[k] = frame.centre[k] + static_cast<double>(node.upper[k][lane]) / frame.scale;
+    box.lower[k] = frame.centre[k] + static_cast<double>(node.planes[k][lane]) / frame.scale;
+    box.upper[k] = frame.centre[k] + static_cast<double>(node.planes[k + 3][lane]) / frame.scale;
   }
   return box;
 }
 
 bool isUsed(const WideBvhNode& node, int lane)
 {
-  return node.lower[0][lane] <= node.upper[0][lane];
+  return node.planes[0][lane] <= node.planes[3][lane];
 }
 
 template <class T>

@@ -28,7 +28,7 @@ struct Waiting
 // Seven siblings may wait per level of at most 64.
 constexpr int stackSize = 7 * 64 + wideArity;
 
-/// The planes of a node that the ray meets first and last, the same for every node.
+/// What the slab test needs of a ray, in registers.
 struct Planes
 {
   explicit Planes(const WideRay& ray)
@@ -38,11 +38,15 @@ struct Planes
       this->originNear[k] = Float8::all(ray.originNear[k]);
       this->originFar[k] = Float8::all(ray.originFar[k]);
       this->reciprocal[k] = Float8::all(ray.reciprocal[k]);
+      this->nearRow[k] = ray.negative[k] ? k + 3 : k;
+      this->farRow[k] = ray.negative[k] ? k : k + 3;
     }
   }
   Float8 originNear[3];
   Float8 originFar[3];
   Float8 reciprocal[3];
+  int nearRow[3]; ///< of WideBvhNode::planes
+  int farRow[3];
 };
 
 /// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside them. The slab test
@@ -55,8 +59,8 @@ HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Pla
   Float8 exit = Float8::all(std::numeric_limits<float>::infinity());
   for (int k = 0; k < 3; ++k)
   {
-    const Float8 nearPlane = Float8::load(ray.negative[k] ? node.upper[k] : node.lower[k]);
-    const Float8 farPlane = Float8::load(ray.negative[k] ? node.lower[k] : node.upper[k]);
+    const Float8 nearPlane = Float8::load(node.planes[planes.nearRow[k]]);
+    const Float8 farPlane = Float8::load(node.planes[planes.farRow[k]]);
     enter = raise((nearPlane - planes.originNear[k]) * planes.reciprocal[k], enter);
     exit = lower((farPlane - planes.originFar[k]) * planes.reciprocal[k], exit);
   }
