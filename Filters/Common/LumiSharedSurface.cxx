@@ -154,7 +154,7 @@ std::shared_ptr<const Accelerator> SharedSurface::find(const BuildOptions& optio
     std::remove_if(this->trees_.begin(), this->trees_.end(), dead), this->trees_.end());
   for (const auto& [asked, tree] : this->trees_)
   {
-    const std::shared_ptr<const Accelerator> alive = tree.lock();
+    std::shared_ptr<const Accelerator> alive = tree.lock();
     if (alive && (asked == options || alive->options() == options))
     {
       return alive;
