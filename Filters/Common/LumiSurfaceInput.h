@@ -40,10 +40,11 @@ struct LUMITREEFILTERSCOMMON_EXPORT SurfaceInput
 {
   std::shared_ptr<const Surface> surface;
   std::vector<SurfaceLeaf> leaves; ///< by rank, then in the order of the composite
-  std::vector<PrimitiveId>
-    firstPrimitive; ///< one per leaf, ascending; an empty leaf has its successor's
+  /// One per leaf, ascending; an empty leaf has its successor's.
+  std::vector<PrimitiveId> firstPrimitive;
 
-  std::uint64_t hiddenCells = 0;    ///< left out: HIDDENCELL, or coarse AMR cells that are refined
+  /// Left out: HIDDENCELL, coarse AMR cells that are refined, cells with a HIDDENPOINT.
+  std::uint64_t hiddenCells = 0;
   std::uint64_t duplicateCells = 0; ///< left out: DUPLICATECELL
   std::uint64_t passedOver = 0;     ///< vertices, lines, and polygons of less than three points
 
