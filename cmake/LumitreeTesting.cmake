@@ -15,9 +15,11 @@ set(_lumitree_test_environment
   "LUMITREE_SOURCE_DIR=set:${PROJECT_SOURCE_DIR}"
   "LUMITREE_BUILD_DIR=set:${CMAKE_BINARY_DIR}"
   "PYTHONDONTWRITEBYTECODE=set:1"
-  # Two ctest jobs share the machine; Open MPI as root needs both variables.
+  # Open MPI runs as root only if told twice.
   "OMPI_ALLOW_RUN_AS_ROOT=set:1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=set:1")
+
+set_property(GLOBAL PROPERTY LUMITREE_NEXT_SCREEN 100)
 
 function (_lumitree_test_properties name)
   get_filename_component(label "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
@@ -27,7 +29,6 @@ function (_lumitree_test_properties name)
     LABELS "${label}")
 endfunction ()
 
-# GoogleTest takes a second per file to parse; one precompiled header serves all tests of a kind.
 function (_lumitree_add_gtest name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS")
   add_executable("${name}" ${arg_SOURCES})
