@@ -86,7 +86,13 @@ function (lumitree_add_python_test name script)
   endif ()
   if (arg_XVFB)
     # A server that resets when its last client leaves may refuse the next one.
-    list(PREPEND command "${LUMITREE_XVFB_RUN}" -a -s "-noreset -screen 0 1280x1024x24")
+    # Two xvfb-run that look for a free screen at the same time may take the same one: each starts
+    # looking at a number of its own.
+    get_property(screen GLOBAL PROPERTY LUMITREE_NEXT_SCREEN)
+    math(EXPR next "${screen} + 10")
+    set_property(GLOBAL PROPERTY LUMITREE_NEXT_SCREEN "${next}")
+    list(PREPEND command
+      "${LUMITREE_XVFB_RUN}" -a "--server-num=${screen}" -s "-noreset -screen 0 1280x1024x24")
   endif ()
   add_test(NAME "${name}"
     COMMAND ${command} "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${arg_ARGS}
