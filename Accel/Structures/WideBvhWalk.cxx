@@ -10,6 +10,10 @@
 #include "Accel/Structures/WideBvhWalk.h"
 #include "Accel/Structures/WideRay.h"
 
+#include <hwy/cache_control.h>
+
+#include <utility>
+
 HWY_BEFORE_NAMESPACE();
 namespace lumitree
 {
@@ -74,30 +78,47 @@ HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Pla
   return ((enter <= exit) & (from <= exit) & (from <= Float8::all(stop))).bits();
 }
 
-/// Puts the children met on the stack, the nearest on top; equal ones in the order of their lanes.
-HWY_INLINE int push(const WideBvhNode& node, unsigned lanes, const float* enters,
-  std::uint32_t firstId, Waiting* stack, int height)
+/// Sorts the children met behind the nearest of them, which is returned: the farther ones wait on the stack, nearer
+/// on top, equal ones in the order of their lanes. Memory that the walk will need soon is fetched ahead.
+template <class Fetch>
+HWY_INLINE Waiting nearest(const WideBvhNode& node, unsigned lanes, const float* enters,
+  std::uint32_t firstId, Waiting* stack, int& height, Fetch fetch)
 {
-  const int first = height;
-  for (; lanes != 0; lanes &= lanes - 1)
-  {
+  const auto take = [&] {
     const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+    lanes &= lanes - 1;
     const Waiting w = { node.child[lane], node.count[lane], enters[lane],
       firstId + static_cast<std::uint32_t>(lane) };
+    fetch(w);
+    return w;
+  };
+  Waiting best = take();
+  if (lanes == 0)
+  {
+    return best;
+  }
+  const int first = height;
+  do
+  {
+    Waiting w = take();
+    if (w.enter < best.enter)
+    {
+      std::swap(w, best);
+    }
     int at = height++;
     for (; at > first && stack[at - 1].enter <= w.enter; --at)
     {
       stack[at] = stack[at - 1];
     }
     stack[at] = w;
-  }
-  return height;
+  } while (lanes != 0);
+  return best;
 }
 
-/// The walk: node(id) and leaf(span) are called as the contract of Span.h says.
-template <class Node, class Leaf>
+/// The walk: node(id) and leaf(span) are called as the contract of Span.h says; block(i) is the address of block i.
+template <class Node, class Leaf, class Block>
 HWY_INLINE void walk(
-  const WideBvhNodes& tree, RayState& state, Node enterNode, Leaf testLeafAt)
+  const WideBvhNodes& tree, RayState& state, Node enterNode, Leaf testLeafAt, Block blockAt)
 {
   if (tree.nodes.empty())
   {
@@ -106,19 +127,22 @@ HWY_INLINE void walk(
   const WideRay ray(tree.frame, state.ray);
   const Planes planes(ray);
   const WideBvhNode* const nodes = tree.nodes.data();
+  const auto fetch = [&](const Waiting& w) {
+    const char* const memory = w.count > 0 ? static_cast<const char*>(blockAt(w.child))
+                                           : reinterpret_cast<const char*>(nodes + w.child);
+    for (int line = 0; line < 4; ++line)
+    {
+      hwy::Prefetch(memory + 64 * line);
+    }
+  };
   Waiting stack[stackSize];
-  int height = 1;
-  stack[0] = { 0, 0, ray.sMin, 0 };
+  int height = 0;
+  Waiting next = { 0, 0, ray.sMin, 0 };
   double tStop = state.tStop;
   float stop = ray.above(tStop);
   HWY_ALIGN float enters[wideArity];
-  while (height > 0)
+  while (true)
   {
-    const Waiting next = stack[--height];
-    if (next.enter > stop)
-    {
-      continue;
-    }
     enterNode(next.id);
     if (next.count > 0)
     {
@@ -132,11 +156,25 @@ HWY_INLINE void walk(
           return;
         }
       }
-      continue;
     }
-    const WideBvhNode& node = nodes[next.child];
-    const unsigned lanes = meets(node, ray, planes, stop, enters);
-    height = push(node, lanes, enters, tree.firstId[next.child], stack, height);
+    else
+    {
+      const WideBvhNode& node = nodes[next.child];
+      const unsigned lanes = meets(node, ray, planes, stop, enters);
+      if (lanes != 0)
+      {
+        next = nearest(node, lanes, enters, tree.firstId[next.child], stack, height, fetch);
+        continue;
+      }
+    }
+    do
+    {
+      if (height == 0)
+      {
+        return;
+      }
+      next = stack[--height];
+    } while (next.enter > stop);
   }
 }
 
@@ -149,7 +187,8 @@ RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, Precision precision, Que
       walk(
         *static_cast<const WideBvhNodes*>(structure), state, [](std::uint32_t) {},
         [&](const Span& span)
-          HWY_ATTR { testLeaf<T, decltype(p), decltype(q)>(state, blocks, span); });
+          HWY_ATTR { testLeaf<T, decltype(p), decltype(q)>(state, blocks, span); },
+        [&](std::uint32_t i) -> const void* { return &blocks[i]; });
     };
   });
 }
@@ -158,7 +197,8 @@ void countingWalk(const WideBvhNodes& tree, RayState& state, CountingVisitor& vi
 {
   walk(
     tree, state, [&](std::uint32_t id) { visitor.node(id); },
-    [&](const Span& span) { visitor.leaf(span); });
+    [&](const Span& span) { visitor.leaf(span); },
+    [&](std::uint32_t) -> const void* { return tree.nodes.data(); });
 }
 
 WideBvhCountingWalk chooseCountingWalk()
