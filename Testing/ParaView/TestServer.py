@@ -14,7 +14,7 @@ from pvtesting import IRRADIANCE, cell_array, fetch, load_plugin
 
 def free_port():
     with socket.socket() as any_free:
-        any_free.bind(("localhost", 0))
+        any_free.bind(("127.0.0.1", 0))
         return any_free.getsockname()[1]
 
 
@@ -30,7 +30,7 @@ command = [os.environ["LUMITREE_PVSERVER"], f"--server-port={port}"]
 server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 try:
     assert any("Accepting connection" in line for line in server.stdout), "pvserver ended before it listened"
-    simple.Connect("localhost", port)
+    simple.Connect("127.0.0.1", port)
     load_plugin(remote=True)
     load_plugin(remote=False)
     compute_on_the_server()
