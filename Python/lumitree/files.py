@@ -87,6 +87,9 @@ def write(data: vtkDataObject, path: str | os.PathLike) -> None:
         )
     writer.SetFileName(str(path))
     writer.SetInputDataObject(data)
+    # Not appended: VTK's reader with Debian 12's expat (2.5.0-1+deb12u2) takes some of its own files
+    # with appended data for ill-formed.
+    writer.SetDataModeToBinary()
     try:
         with reported(writer, writer.GetExecutive()):
             writer.Write()
