@@ -3,6 +3,7 @@
 #include "Accel/Parallel.h"
 
 #include "Accel/FloatEnvironment.h"
+#include "Accel/ThreadSanitizer.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -15,6 +16,11 @@
 
 namespace lumitree
 {
+namespace
+{
+char spawned;
+char finished;
+}
 
 bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* control,
   const std::function<void(std::size_t, std::size_t)>& body)
@@ -34,9 +40,9 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
       const FloatEnvironment environment;
       body(i * step, std::min(n, (i + 1) * step));
     }
-    const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
+    const std::size_t count = done.fetch_add(1, std::memory_order_relaxed) + 1;
     if (control && control->onProgress && std::this_thread::get_id() == caller &&
-      !control->onProgress(static_cast<double>(finished) / static_cast<double>(chunks)))
+      !control->onProgress(static_cast<double>(count) / static_cast<double>(chunks)))
     {
       control->stop.store(true, std::memory_order_relaxed);
     }
@@ -55,15 +61,19 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
     const auto allowed = static_cast<int>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     tbb::task_arena arena(threads > 0 ? std::min(threads, allowed) : tbb::task_arena::automatic);
+    happensBefore(spawned);
     arena.execute([&] {
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
+          happensAfter(spawned);
           for (std::size_t i = range.begin(); i != range.end(); ++i)
           {
             runChunk(i);
           }
+          happensBefore(finished);
         });
     });
+    happensAfter(finished);
   }
   return done.load() == chunks;
 }
