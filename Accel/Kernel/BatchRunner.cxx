@@ -4,6 +4,7 @@
 
 #include "Accel/Kernel/Finish.h"
 #include "Accel/Kernel/Queries.h"
+#include "Accel/Kernel/Settle.h"
 #include "Accel/Parallel.h"
 
 #include <mutex>
@@ -26,11 +27,15 @@ public:
     , rays_(rays)
     , options_(options)
     , state_(runner.surface_)
-    , leafKernel_(leafKernel(runner.surface_.scalar(), options.precision, query))
   {
+    // Fast takes floating point at its word; the others settle whatever it is not certain about.
+    const bool certain = options.precision != Precision::Fast;
+    const ArrayView::Scalar scalar = runner.surface_.scalar();
+    this->state_.settle = settleFunction(options.precision, query);
+    this->leafKernel_ = leafKernel(scalar, certain);
     if (runner.walks_.kernel)
     {
-      this->rayKernel_ = runner.walks_.kernel(runner.surface_.scalar(), options.precision, query);
+      this->rayKernel_ = runner.walks_.kernel(scalar, certain);
     }
     if (options.perNode)
     {
@@ -100,7 +105,7 @@ private:
   const RayBatch& rays_;
   const QueryOptions& options_;
   RayState state_;
-  LeafKernel leafKernel_;
+  LeafKernel leafKernel_ = nullptr;
   RayKernel rayKernel_ = nullptr;
   std::uint64_t invalid_ = 0;
   std::vector<std::uint64_t> visits_;

@@ -15,13 +15,13 @@ namespace lumitree
 namespace HWY_NAMESPACE
 {
 
-LeafKernel chooseLeafKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query)
+LeafKernel chooseLeafKernel(ArrayView::Scalar scalar, bool certain)
 {
-  return withPolicies(scalar, precision, query, [](auto t, auto p, auto q) -> LeafKernel {
-    return [](RayState& state, const void* blocks, const Span& span) HWY_ATTR {
+  return withChoices(scalar, certain, [](auto t, auto isCertain) -> LeafKernel {
+    return [](RayState& state, const void* store, const Span& span) HWY_ATTR {
       using T = decltype(t);
-      testLeaf<T, decltype(p), decltype(q)>(
-        state, *static_cast<const TriangleBlocks<T>*>(blocks), span);
+      const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
+      testLeaf<decltype(isCertain)::value>(state, blocks, span);
     };
   });
 }
@@ -36,9 +36,9 @@ namespace lumitree
 
 HWY_EXPORT(chooseLeafKernel);
 
-LeafKernel leafKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query)
+LeafKernel leafKernel(ArrayView::Scalar scalar, bool certain)
 {
-  return HWY_DYNAMIC_DISPATCH(chooseLeafKernel)(scalar, precision, query);
+  return HWY_DYNAMIC_DISPATCH(chooseLeafKernel)(scalar, certain);
 }
 
 } // namespace lumitree

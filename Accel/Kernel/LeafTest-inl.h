@@ -10,9 +10,9 @@
 
 #include "Accel/Kernel/BlockFilter-inl.h"
 
-#include "Accel/Choices.h"
-#include "Accel/Kernel/Precisions.h"
-#include "Accel/Kernel/Queries.h"
+#include <type_traits>
+
+#include "Accel/Kernel/RayState.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lumitree
@@ -20,56 +20,34 @@ namespace lumitree
 namespace HWY_NAMESPACE
 {
 
-/// Tests the primitives of a leaf: filter, precision, query.
-template <class T, class Precision, class Query>
+/// Filters the primitives of a leaf and has the candidates settled. Certain is as in candidateLanes.
+template <bool Certain, class T>
 HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const Span& span)
 {
   const std::uint32_t blockCount = (span.count + blockWidth - 1) / blockWidth;
   for (std::uint32_t b = 0; b < blockCount; ++b)
   {
     const TriangleBlock<T>& block = blocks[span.firstBlock + b];
-    unsigned candidates = candidateLanes<Precision::certain>(state.filter, block);
+    unsigned candidates = candidateLanes<Certain>(state.filter, block);
     for (; candidates != 0; candidates &= candidates - 1)
     {
       const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
-      Candidate c;
-      c.primitive = block.id[lane];
-      if (c.primitive != noPrimitive && !state.skips(c.primitive) &&
-        Precision::settle(state, block.corners(lane), c))
+      if (block.id[lane] != noPrimitive)
       {
-        Query::template offer<Precision>(state, c);
+        state.settle(state, block.corners(lane), block.id[lane]);
       }
     }
   }
 }
 
-/// Calls f(scalar, precision policy, query policy) with types in place of the three choices.
+/// Calls f(T, certain) with a type and a compile-time constant in place of the choices.
 template <class F>
-auto withPolicies(ArrayView::Scalar scalar, Precision precision, QueryKind query, F f)
+auto withChoices(ArrayView::Scalar scalar, bool certain, F f)
 {
-  const auto withQuery = [&](auto t, auto p) {
-    switch (query)
-    {
-      case QueryKind::Closest:
-        return f(t, p, ClosestQuery{});
-      case QueryKind::Any:
-        return f(t, p, AnyQuery{});
-      default:
-        return f(t, p, CollectQuery{});
-    }
+  const auto withScalar = [&](auto isCertain) {
+    return scalar == ArrayView::Scalar::Float ? f(float{}, isCertain) : f(double{}, isCertain);
   };
-  const auto withPrecision = [&](auto t) {
-    switch (precision)
-    {
-      case Precision::Fast:
-        return withQuery(t, FastPrecision{});
-      case Precision::Watertight:
-        return withQuery(t, WatertightPrecision{});
-      default:
-        return withQuery(t, ExactPrecision{});
-    }
-  };
-  return scalar == ArrayView::Scalar::Float ? withPrecision(float{}) : withPrecision(double{});
+  return certain ? withScalar(std::true_type{}) : withScalar(std::false_type{});
 }
 
 } // namespace HWY_NAMESPACE

@@ -9,10 +9,7 @@
 namespace lumitree
 {
 
-/// A precision says whether the filter keeps what it is not certain about, settles each candidate (does the segment hit
-/// the primitive?) and orders two that are hit.
-
-using Corners = std::array<Vec3, 3>;
+/// A precision settles each candidate (does the segment hit the primitive?) and orders two that are hit.
 
 /// The order of hits that floating point only nearly knows: by the key, then by primitive. The key is t, but not less than
 /// the t at which the ray enters the primitive's own box, and a primitive whose box the ray does not meet is not hit. So
@@ -45,8 +42,6 @@ struct OrderByKey
 /// Floating point as it comes: a hit and its t are what double arithmetic says.
 struct FastPrecision : OrderByKey
 {
-  static constexpr bool certain = false;
-
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
@@ -58,8 +53,6 @@ struct FastPrecision : OrderByKey
 /// crossing point is never ruled out.
 struct WatertightPrecision : OrderByKey
 {
-  static constexpr bool certain = true;
-
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
@@ -73,8 +66,6 @@ struct WatertightPrecision : OrderByKey
 /// What rational arithmetic on the stored numbers says: the filter decides nearly always, exact arithmetic the rest.
 struct ExactPrecision
 {
-  static constexpr bool certain = true;
-
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);

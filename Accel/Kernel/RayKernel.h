@@ -3,7 +3,6 @@
 #ifndef Lumitree_Accel_Kernel_RayKernel_h
 #define Lumitree_Accel_Kernel_RayKernel_h
 
-#include "Accel/Choices.h"
 #include "Accel/Kernel/RayState.h"
 
 namespace lumitree
@@ -12,8 +11,8 @@ namespace lumitree
 /// Takes one ray, started in state, through a whole structure.
 using RayKernel = void (*)(const void* structure, const void* blocks, RayState& state);
 
-/// Chooses the kernel for a scalar type, precision and query.
-using RayKernelChooser = RayKernel (*)(ArrayView::Scalar, Precision, QueryKind);
+/// Chooses the kernel for a scalar type; certain is as in leafKernel.
+using RayKernelChooser = RayKernel (*)(ArrayView::Scalar, bool certain);
 
 } // namespace lumitree
 

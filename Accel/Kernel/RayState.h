@@ -34,6 +34,13 @@ struct Candidate
   }
 };
 
+struct RayState;
+
+using Corners = std::array<Vec3, 3>;
+
+/// Decides about one primitive that the filter could not rule out; corners are its vertices.
+using SettleFunction = void (*)(RayState& state, const Corners& corners, PrimitiveId primitive);
+
 /// All that one ray carries through a structure. Reused from ray to ray, so that found keeps its memory.
 struct RayState
 {
@@ -60,6 +67,7 @@ struct RayState
   }
 
   const Surface& surface;
+  SettleFunction settle = nullptr;
   Ray ray;
   FilterRay filter;
   RayBox box;

@@ -178,16 +178,15 @@ HWY_INLINE void walk(
   }
 }
 
-RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query)
+RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, bool certain)
 {
-  return withPolicies(scalar, precision, query, [](auto t, auto p, auto q) -> RayKernel {
+  return withChoices(scalar, certain, [](auto t, auto isCertain) -> RayKernel {
     return [](const void* structure, const void* store, RayState& state) HWY_ATTR {
       using T = decltype(t);
       const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
       walk(
         *static_cast<const WideBvhNodes*>(structure), state, [](std::uint32_t) {},
-        [&](const Span& span)
-          HWY_ATTR { testLeaf<T, decltype(p), decltype(q)>(state, blocks, span); },
+        [&](const Span& span) HWY_ATTR { testLeaf<decltype(isCertain)::value>(state, blocks, span); },
         [&](std::uint32_t i) -> const void* { return &blocks[i]; });
     };
   });
@@ -217,9 +216,9 @@ namespace lumitree
 HWY_EXPORT(chooseWideBvhKernel);
 HWY_EXPORT(chooseCountingWalk);
 
-RayKernel wideBvhKernel(ArrayView::Scalar scalar, Precision precision, QueryKind query)
+RayKernel wideBvhKernel(ArrayView::Scalar scalar, bool certain)
 {
-  return HWY_DYNAMIC_DISPATCH(chooseWideBvhKernel)(scalar, precision, query);
+  return HWY_DYNAMIC_DISPATCH(chooseWideBvhKernel)(scalar, certain);
 }
 
 WideBvhCountingWalk wideBvhCountingWalk()

@@ -3,7 +3,6 @@
 #ifndef Lumitree_Accel_Structures_WideBvhWalk_h
 #define Lumitree_Accel_Structures_WideBvhWalk_h
 
-#include "Accel/Choices.h"
 #include "Accel/Kernel/RayKernel.h"
 #include "Accel/Kernel/Visitors.h"
 #include "Accel/Structures/WideBvhNodes.h"
@@ -12,8 +11,7 @@ namespace lumitree
 {
 
 /// Walks one ray with node test and leaf test in one function; structure is a WideBvhNodes.
-[[nodiscard]] RayKernel wideBvhKernel(
-  ArrayView::Scalar scalar, Precision precision, QueryKind query);
+[[nodiscard]] RayKernel wideBvhKernel(ArrayView::Scalar scalar, bool certain);
 
 /// The same walk, node by node to a visitor that counts.
 using WideBvhCountingWalk = void (*)(const WideBvhNodes&, RayState&, CountingVisitor&);

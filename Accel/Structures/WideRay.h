@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace lumitree
 {
@@ -26,10 +27,12 @@ struct WideRay
     const double unit = 1.0 / powerBelow(largest);
     this->perT = frame.scale / unit;
     this->bounded = std::isnormal(this->perT);
+    bool distant = false;
     for (int k = 0; k < 3; ++k)
     {
       // The subtraction rounds to 2^-53 of the result, the conversion to 2^-24; 2^-22 covers both and itself.
       const double o = (ray.origin[k] - frame.centre[k]) * frame.scale;
+      distant = distant || !(std::fabs(o) <= 0x1p64);
       const double pad = std::fabs(o) * 0x1p-22 + 0x1p-120;
       const auto low = static_cast<float>(o - pad);
       const auto high = static_cast<float>(o + pad);
@@ -43,6 +46,11 @@ struct WideRay
       {
         this->reciprocal[k] = std::numeric_limits<float>::quiet_NaN();
       }
+    }
+    if (distant)
+    {
+      // Floats might overflow on the way to a hit, so no slab constrains. Nearer, a hit's s is below 2^117.
+      std::fill_n(this->reciprocal, 3, std::numeric_limits<float>::quiet_NaN());
     }
     this->sMin = this->below(ray.tMin);
   }
