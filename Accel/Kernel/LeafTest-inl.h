@@ -9,10 +9,9 @@
 #endif
 
 #include "Accel/Kernel/BlockFilter-inl.h"
+#include "Accel/Kernel/RayState.h"
 
 #include <type_traits>
-
-#include "Accel/Kernel/RayState.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lumitree
