@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace lumitree::exact
 {
@@ -17,34 +18,57 @@ Dyadic::Dyadic(double value)
   this->exponent_ = value == 0.0 ? 0 : exponent - 53;
 }
 
-double Dyadic::leading(int& exponent) const
+Dyadic Dyadic::from(const Dyadic& value, int exponent)
 {
-  const Integer magnitude = abs(this->mantissa_);
-  exponent = this->exponent_;
-  if (magnitude == 0)
+  return { value.mantissa_, value.exponent_ + exponent };
+}
+
+Dyadic Dyadic::fromLimbs(const std::uint64_t* limbs, std::size_t n, int exponent)
+{
+  // Only the top limb has a sign.
+  Integer sum = static_cast<std::int64_t>(limbs[n - 1]);
+  for (std::size_t i = n - 1; i-- > 0;)
   {
-    return 0.0;
+    sum <<= 64;
+    sum += limbs[i];
   }
-  const int excess = static_cast<int>(msb(magnitude)) - 63;
-  double value;
-  if (excess > 0)
-  {
-    value = static_cast<double>(static_cast<std::uint64_t>(magnitude >> excess));
-    exponent += excess;
-  }
-  else
-  {
-    value = static_cast<double>(static_cast<std::uint64_t>(magnitude));
-  }
-  return this->mantissa_.sign() < 0 ? -value : value;
+  return { sum, exponent };
 }
 
 double Dyadic::quotient(const Dyadic& a, const Dyadic& b)
 {
-  int aExponent = 0;
-  int bExponent = 0;
-  const double quotient = a.leading(aExponent) / b.leading(bExponent);
-  return std::ldexp(quotient, aExponent - bExponent);
+  const int sign = a.sign() * b.sign();
+  if (sign == 0)
+  {
+    return 0.0;
+  }
+  // A quotient of 65 or 66 bits, then its leading 64; what is cut off leaves a 1 in the last place.
+  // Rounding looks at the 11 bits or more that a double has no room for, and so at whether they are
+  // 0, half, or beside it.
+  Integer over = abs(a.mantissa_);
+  Integer under = abs(b.mantissa_);
+  const int shift = 65 + static_cast<int>(msb(under)) - static_cast<int>(msb(over));
+  (shift > 0 ? over : under) <<= std::abs(shift);
+  Integer whole;
+  Integer rest;
+  divide_qr(over, under, whole, rest);
+  const int excess = static_cast<int>(msb(whole)) - 63;
+  const auto leading = static_cast<std::uint64_t>(whole >> excess);
+  const bool cut = rest != 0 || (whole & ((1u << excess) - 1u)) != 0;
+  const std::uint64_t bits = leading | (cut ? 1u : 0u);
+  const int exponent = a.exponent_ - b.exponent_ - shift + excess;
+
+  // A double's last place is 2^-1074 at least.
+  const int drop = std::max(11, -1074 - exponent);
+  if (drop > 64)
+  {
+    return sign * 0.0;
+  }
+  const std::uint64_t kept = drop < 64 ? bits >> drop : 0;
+  const std::uint64_t dropped = drop < 64 ? bits << (64 - drop) : bits;
+  const std::uint64_t half = std::uint64_t{ 1 } << 63;
+  const bool up = dropped > half || (dropped == half && kept % 2 == 1);
+  return sign * std::ldexp(static_cast<double>(kept + (up ? 1 : 0)), exponent + drop);
 }
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b)

@@ -3,12 +3,19 @@
 #ifndef Lumitree_Accel_Exact_Dyadic_h
 #define Lumitree_Accel_Exact_Dyadic_h
 
+#include "Accel/Exact/FixedInteger.h"
+
 #include <boost/multiprecision/cpp_int.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace lumitree::exact
 {
 
-/// A real number as integer times a power of two, without bounds: slower than Expansion and never out of range.
+/// A real number as integer times a power of two, without bounds: slower than FixedInteger and
+/// never out of range.
 class Dyadic
 {
 public:
@@ -20,7 +27,20 @@ public:
 
   [[nodiscard]] int sign() const { return this->mantissa_.sign(); }
 
-  /// a / b within a few units of the last place; b is not 0.
+  /// The other kinds of number, times 2^exponent.
+  ///@{
+  static Dyadic from(const Dyadic& value, int exponent);
+#if defined(LUMITREE_HAS_FIXED_INTEGERS)
+  template <std::size_t N>
+  static Dyadic from(const FixedInteger<N>& value, int exponent)
+  {
+    return fromLimbs(value.limbs(), N, exponent);
+  }
+#endif
+  ///@}
+
+  /// The double nearest to a / b, of two equally near the even one; infinite beyond their range. b
+  /// is not 0.
   static double quotient(const Dyadic& a, const Dyadic& b);
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
@@ -30,8 +50,14 @@ public:
 private:
   using Integer = boost::multiprecision::cpp_int;
 
-  /// The leading 64 bits as a double, the rest moved into exponent.
-  [[nodiscard]] double leading(int& exponent) const;
+  /// Of n limbs in two's complement, least significant first.
+  static Dyadic fromLimbs(const std::uint64_t* limbs, std::size_t n, int exponent);
+
+  Dyadic(Integer mantissa, int exponent)
+    : mantissa_(std::move(mantissa))
+    , exponent_(exponent)
+  {
+  }
 
   Integer mantissa_ = 0;
   int exponent_ = 0;

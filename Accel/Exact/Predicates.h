@@ -8,16 +8,19 @@
 
 #include <array>
 
-/// Questions about a ray and triangles, answered as rational arithmetic on the stored numbers answers them. Every
-/// coordinate is finite. Slow; called only where floating point cannot decide.
+/// Questions about a ray and triangles, answered as rational arithmetic on the stored numbers
+/// answers them. Every coordinate is finite. Called only where floating point cannot decide: a
+/// tenth of a microsecond each, two where magnitudes are very uneven (Stages.h).
 namespace lumitree::exact
 {
 
-/// Whether the line of the ray meets the closed triangle, not being parallel to its plane. False for a triangle of zero area.
+/// Whether the line of the ray meets the closed triangle, not being parallel to its plane. False
+/// for a triangle of zero area.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT bool lineMeetsTriangle(
   const Ray& ray, const std::array<Vec3, 3>& triangle);
 
-/// Sign of (t - limit), t where the line crosses the triangle's plane, which it does. The limit may be infinite.
+/// Sign of (t - limit), t where the line crosses the triangle's plane, which it does. The limit may
+/// be infinite.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT int compareCrossing(
   const Ray& ray, const std::array<Vec3, 3>& triangle, double limit);
 
@@ -25,7 +28,8 @@ namespace lumitree::exact
 [[nodiscard]] LUMITREE_ACCEL_EXPORT int compareCrossings(
   const Ray& ray, const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
-/// t where the line crosses the triangle's plane, within a few units of the last place of a double.
+/// t where the line crosses the triangle's plane, which it does: the double nearest to it, of two
+/// equally near the even one; infinite beyond their range.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT double crossingParameter(
   const Ray& ray, const std::array<Vec3, 3>& triangle);
 

@@ -15,22 +15,23 @@
 namespace lumitree
 {
 
-/// A ray in the frame of a wide BVH, in float. Its origin is an interval that holds the exact one; its parameter is
-/// s = t perT, with perT a power of two such that the direction's largest component is in [1, 2): s is a distance in the
-/// tree's frame.
+/// A ray in the frame of a wide BVH, in float. Its origin is an interval that holds the exact one;
+/// its parameter is s = t perT, with perT a power of two such that the direction's largest
+/// component is in [1, 2): s is a distance in the tree's frame.
 struct WideRay
 {
   WideRay(const WideBvhFrame& frame, const Ray& ray)
   {
-    const double largest = std::max({ std::fabs(ray.direction[0]), std::fabs(ray.direction[1]),
-      std::fabs(ray.direction[2]) });
+    const double largest = std::max(
+      { std::fabs(ray.direction[0]), std::fabs(ray.direction[1]), std::fabs(ray.direction[2]) });
     const double unit = 1.0 / powerBelow(largest);
     this->perT = frame.scale / unit;
     this->bounded = std::isnormal(this->perT);
     bool distant = false;
     for (int k = 0; k < 3; ++k)
     {
-      // The subtraction rounds to 2^-53 of the result, the conversion to 2^-24; 2^-22 covers both and itself.
+      // The subtraction rounds to 2^-53 of the result, the conversion to 2^-24; 2^-22 covers both
+      // and itself.
       const double o = (ray.origin[k] - frame.centre[k]) * frame.scale;
       distant = distant || !(std::fabs(o) <= 0x1p64);
       const double pad = std::fabs(o) * 0x1p-22 + 0x1p-120;
@@ -49,8 +50,7 @@ struct WideRay
     }
     if (distant)
     {
-      // Floats might overflow on the way to a hit, so no slab constrains. Nearer, a hit's s is below 2^117.
-      std::fill_n(this->reciprocal, 3, std::numeric_limits<float>::quiet_NaN());
+      this->meetEverything();
     }
     this->sMin = this->below(ray.tMin);
   }
@@ -78,9 +78,21 @@ struct WideRay
   bool negative[3];
   float sMin;
   double perT;  ///< s / t, a power of two
-  bool bounded; ///< perT is in the range of doubles
+  bool bounded; ///< perT is in the range of doubles, s in that of floats
 
 private:
+  /// Floats might overflow on the way to a hit that starts more than 2^64 away; nearer, its s is
+  /// below 2^117. Slabs are met from -2^100 to 2^100, and those of lanes without a child, at
+  /// infinity, still nowhere.
+  void meetEverything()
+  {
+    std::fill_n(this->originNear, 3, 0x1p100f);
+    std::fill_n(this->originFar, 3, -0x1p100f);
+    std::fill_n(this->reciprocal, 3, 1.0f);
+    std::fill_n(this->negative, 3, false);
+    this->bounded = false;
+  }
+
   /// The power of two in (x / 2, x]; of a subnormal number the least normal one.
   static double powerBelow(double x)
   {

@@ -266,7 +266,7 @@ TEST(Boxes, FlatGridIsHitAtVerticesCornersAndBoundary)
   }
 }
 
-TEST(Boxes, TinyAndHugeBoxesBeyondExpansionsAreExact)
+TEST(Boxes, TinyAndHugeBoxesAreExact)
 {
   for (const double size : { 0x1p-1000, 0x1p-500, 0x1p-300, 0x1p300, 0x1p900 })
   {
@@ -281,6 +281,32 @@ TEST(Boxes, TinyAndHugeBoxesBeyondExpansionsAreExact)
       {
         const Hit hit = closestOf(*accelerator, place.ray(c), Precision::Exact);
         ASSERT_EQ(hit.t, size / place.scale) << size << " " << label(accelerator->options());
+      }
+    }
+  }
+}
+
+TEST(Boxes, OriginsBeyondTheRangeOfFloatsAreFollowed)
+{
+  // A scene of size 2^-100, so that in its own units the origin is 2^140 away, before and behind.
+  const double size = 0x1p-100;
+  Case c = cases().front();
+  c.upper = { size, size, size };
+  for (const Placement& place : placements())
+  {
+    for (const auto& accelerator : accelerators(surfaceOf<double>(trianglesOf(c, place))))
+    {
+      for (const double distance : { 0x1p-40, 0x1p0, 0x1p40 })
+      {
+        c.origin = { 0.5 * size, 0.25 * size, -distance };
+        Ray ray = place.ray(c);
+        const Hit ahead = closestOf(*accelerator, ray, Precision::Exact);
+        ASSERT_EQ(ahead.t, distance / place.scale) << label(accelerator->options());
+        ray.direction = -1.0 * ray.direction;
+        ray.tMin = -HUGE_VAL;
+        ray.tMax = 0.0;
+        const Hit behind = closestOf(*accelerator, ray, Precision::Exact);
+        ASSERT_EQ(behind.t, -distance / place.scale) << label(accelerator->options());
       }
     }
   }
