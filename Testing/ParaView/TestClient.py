@@ -14,7 +14,7 @@ def client(*options):
         # A home of its own: no settings, no plugins remembered.
         environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home)
         environment["PV_PLUGIN_PATH"] = os.environ["LUMITREE_PLUGIN_DIR"]
-        command = [os.environ["LUMITREE_PARAVIEW"], "--disable-registry", *options]
+        command = [os.environ["LUMITREE_PARAVIEW_CLIENT"], "--disable-registry", *options]
         run = subprocess.run(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=140)
     output = run.stdout.decode(errors="replace")
     print(output, flush=True)

@@ -22,12 +22,16 @@ IRRADIANCE = "Irradiance [W/m^2]"
 
 
 def load_plugin(remote=False):
-    """Loads the plugin of the build tree; fails if ParaView does not know its proxies afterwards."""
-    simple.LoadPlugin(PLUGIN, remote=remote, ns=simple.__dict__)
-    manager = servermanager.ProxyManager().SMProxyManager
+    """Loads the plugin of the build tree, unless ParaView did; fails if its proxies are not known afterwards."""
+    if remote or not _known("sources", "LumiScene"):
+        simple.LoadPlugin(PLUGIN, remote=remote, ns=simple.__dict__)
     for group, names in PROXIES.items():
         for name in names:
-            assert manager.GetPrototypeProxy(group, name), f"no proxy ({group}, {name})"
+            assert _known(group, name), f"no proxy ({group}, {name})"
+
+
+def _known(group, name):
+    return servermanager.ProxyManager().SMProxyManager.HasDefinition(group, name)
 
 
 def fetch(proxy, port=0):
