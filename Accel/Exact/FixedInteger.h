@@ -7,8 +7,7 @@
 #include <cstdint>
 
 #if defined(__SIZEOF_INT128__)
-/// Compilers without 128-bit integers do without FixedInteger; Expansion and Dyadic answer
-/// everything.
+/// Compilers without 128-bit integers do without FixedInteger; Dyadic answers everything.
 #define LUMITREE_HAS_FIXED_INTEGERS
 
 namespace lumitree::exact
