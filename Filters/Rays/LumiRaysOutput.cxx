@@ -4,7 +4,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -68,14 +67,12 @@ void splitIntoSegments(vtkPointSet* input, const RayInput& rays, vtkPointSet* ou
     grid->SetCells(VTK_LINE, cells);
   }
 
-  vtkNew<vtkIdList> from;
-  from->SetNumberOfIds(rays.size);
+  output->GetCellData()->CopyAllocate(input->GetCellData(), rays.size);
   for (vtkIdType i = 0; i < rays.size; ++i)
   {
-    from->SetId(i, rays.segmentCells[static_cast<std::size_t>(i)]);
+    output->GetCellData()->CopyData(
+      input->GetCellData(), rays.segmentCells[static_cast<std::size_t>(i)], i);
   }
-  output->GetCellData()->CopyAllocate(input->GetCellData(), rays.size);
-  output->GetCellData()->CopyData(input->GetCellData(), from.Get());
 }
 
 } // namespace
