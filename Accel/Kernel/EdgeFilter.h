@@ -29,7 +29,7 @@ struct FilterRay
   /// With A, B, C the vertices less the origin, the edge function of the edge PQ is
   /// d · ((Q - P) x P'), P' = P - origin. Its rounding error: both differences 1 u, each product of the cross
   /// product 3 u, their difference 4 u, times d 5 u, summing three terms 7 u at most, all relative to the sum of the
-  /// magnitudes of the twelve products, which is at most 2 |d|_1 E M (E: largest component of an edge, M: of A, B, C).
+  /// magnitudes of the six products, which is at most 2 |d|_1 E M (E: largest component of an edge, M: of A, B, C).
   /// So |error| <= 14 u (1 + 8 u) |d|_1 E M. The bound itself is rounded four times, hence 16 u, u = 2^-53. What products
   /// lose by underflow is below boundFloor. 2 E M and 2 |d|_1 E M bound every intermediate value: where one could overflow,
   /// so does the bound, and then nothing is certain.

@@ -9,7 +9,8 @@
 namespace lumitree
 {
 
-/// A precision settles each candidate (does the segment hit the primitive?) and orders two that are hit.
+/// A precision settles each candidate (does the segment hit the primitive?) and orders two that are hit. In all of them a
+/// hit whose t is beyond the range of doubles is a miss: infinity is what a miss reports.
 
 /// The order of hits that floating point only nearly knows: by the key, then by primitive. The key is t, but not less than
 /// the t at which the ray enters the primitive's own box, and a primitive whose box the ray does not meet is not hit. So
@@ -45,7 +46,7 @@ struct FastPrecision : OrderByKey
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
-    return apparentlyHit(x.edges) && x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x, c);
+    return apparentlyHit(x.edges) && std::isfinite(x.t) && x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x, c);
   }
 };
 
@@ -58,7 +59,7 @@ struct WatertightPrecision : OrderByKey
     const Crossing x = crossing(state.filter, vertices);
     state.exactTests += surelyHit(x.edges) ? 0 : 1;
     // By the triangle's own bound: a block's depends on which triangles share it.
-    return !surelyMissed(x.edges) && x.tHigh >= state.ray.tMin && x.tLow <= state.ray.tMax &&
+    return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh >= state.ray.tMin && x.tLow <= state.ray.tMax &&
       place(state, vertices, x, c);
   }
 };
@@ -83,7 +84,7 @@ struct ExactPrecision
     }
     c.take(x);
     c.key = x.t;
-    return atLeast(state, vertices, x, state.ray.tMin) && atMost(state, vertices, x);
+    return std::isfinite(x.t) && atLeast(state, vertices, x, state.ray.tMin) && atMost(state, vertices, x);
   }
 
   static bool before(RayState& state, const Candidate& a, const Candidate& b)
