@@ -17,6 +17,11 @@
 
 #include <memory> // for the implementation
 
+#ifndef VTK_ABI_NAMESPACE_BEGIN // before VTK 9.3
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
