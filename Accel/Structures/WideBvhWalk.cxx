@@ -41,34 +41,56 @@ struct Planes
     {
       this->originNear[k] = Float8::all(ray.originNear[k]);
       this->originFar[k] = Float8::all(ray.originFar[k]);
-      this->reciprocal[k] = Float8::all(ray.reciprocal[k]);
+      // Where s >= 0 a factor makes it smaller or larger; elsewhere the pad is added later.
+      const float pad = ray.forward ? slabPad : 0.0f;
+      this->nearReciprocal[k] = Float8::all(ray.reciprocal[k] * (1.0f - pad));
+      this->farReciprocal[k] = Float8::all(ray.reciprocal[k] * (1.0f + pad));
       this->nearRow[k] = ray.negative[k] ? k + 3 : k;
       this->farRow[k] = ray.negative[k] ? k : k + 3;
     }
   }
+
+  /// Difference, reciprocal and product round to 2^-24 each, 3.1 · 2^-24 in all, and the padded reciprocal once more.
+  static constexpr float slabPad = 0x1p-21f;
+
   Float8 originNear[3];
   Float8 originFar[3];
-  Float8 reciprocal[3];
+  Float8 nearReciprocal[3];
+  Float8 farReciprocal[3];
   int nearRow[3]; ///< of WideBvhNode::planes
   int farRow[3];
 };
 
-/// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside them. The slab test
-/// of RayBox in float: difference, reciprocal and product round to 2^-24 each, so 3.1 · 2^-24 in all; the pad is 2^-21. Boxes and origin
-/// interval are rounded outward before.
-HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Planes& planes,
-  float stop, float* enters)
+/// Raises enter to the near planes' s and lowers exit to the far planes', lane by lane; NaN changes nothing.
+HWY_INLINE void clip(const WideBvhNode& node, const Planes& planes, Float8& enter, Float8& exit)
 {
-  Float8 enter = Float8::all(-std::numeric_limits<float>::infinity());
-  Float8 exit = Float8::all(std::numeric_limits<float>::infinity());
   for (int k = 0; k < 3; ++k)
   {
     const Float8 nearPlane = Float8::load(node.planes[planes.nearRow[k]]);
     const Float8 farPlane = Float8::load(node.planes[planes.farRow[k]]);
-    enter = raise((nearPlane - planes.originNear[k]) * planes.reciprocal[k], enter);
-    exit = lower((farPlane - planes.originFar[k]) * planes.reciprocal[k], exit);
+    enter = raise((nearPlane - planes.originNear[k]) * planes.nearReciprocal[k], enter);
+    exit = lower((farPlane - planes.originFar[k]) * planes.farReciprocal[k], exit);
   }
-  const Float8 relative = Float8::all(0x1p-21f);
+}
+
+/// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside them. The slab test
+/// of RayBox in float; boxes and origin interval are rounded outward before.
+HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Planes& planes,
+  float stop, float* enters)
+{
+  if (ray.forward)
+  {
+    // A negative s, however it is padded, stays below sMin. Underflow loses less than the boxes' own absolute pad.
+    Float8 enter = Float8::all(ray.sMin);
+    Float8 exit = Float8::all(stop);
+    clip(node, planes, enter, exit);
+    enter.store(enters);
+    return (enter <= exit).bits();
+  }
+  Float8 enter = Float8::all(-std::numeric_limits<float>::infinity());
+  Float8 exit = Float8::all(std::numeric_limits<float>::infinity());
+  clip(node, planes, enter, exit);
+  const Float8 relative = Float8::all(Planes::slabPad);
   const Float8 absolutePad = Float8::all(0x1p-120f);
   enter = enter - (absolute(enter) * relative + absolutePad);
   exit = exit + (absolute(exit) * relative + absolutePad);

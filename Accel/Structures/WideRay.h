@@ -53,6 +53,7 @@ struct WideRay
       this->meetEverything();
     }
     this->sMin = this->below(ray.tMin);
+    this->forward = this->sMin >= 0.0f;
   }
 
   /// s of a t, rounded down or up; no bound where the range of doubles is not enough to know it.
@@ -79,6 +80,7 @@ struct WideRay
   float sMin;
   double perT;  ///< s / t, a power of two
   bool bounded; ///< perT is in the range of doubles, s in that of floats
+  bool forward; ///< s is never negative
 
 private:
   /// Floats might overflow on the way to a hit that starts more than 2^64 away; nearer, its s is
