@@ -49,6 +49,7 @@ std::shared_ptr<const Accelerator> build(
   checkRange("leaf size", asked.leafSize, 1, 1024);
   checkRange("greatest depth", asked.maxDepth, 1, 64);
   checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
+  checkRange("KD-tree build", static_cast<int>(asked.kdBuild), 0, kdBuildCount - 1);
   // Builders compare and convert coordinates: with subnormals flushed they would enclose other numbers.
   const FloatEnvironment environment;
   BuildOptions options = asked;

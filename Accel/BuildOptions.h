@@ -17,13 +17,14 @@ struct BuildOptions
 {
   Structure structure = Structure::Auto;
   BvhBuild bvhBuild = BvhBuild::BinnedSah;
+  KdBuild kdBuild = KdBuild::Sah;
   int leafSize = 4;  ///< BVH: split nodes with more primitives than this; 1…1024
   int maxDepth = 64; ///< trees: a node this deep becomes a leaf whatever it holds; 1…64
 
   friend bool operator==(const BuildOptions& a, const BuildOptions& b)
   {
-    return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.leafSize == b.leafSize &&
-      a.maxDepth == b.maxDepth;
+    return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.kdBuild == b.kdBuild &&
+      a.leafSize == b.leafSize && a.maxDepth == b.maxDepth;
   }
 };
 

@@ -15,6 +15,7 @@ constexpr std::array<std::string_view, precisionCount> precisionNames = { "fast"
   "exact" };
 constexpr std::array<std::string_view, bvhBuildCount> bvhBuildNames = { "longest_axis_median",
   "binned_sah" };
+constexpr std::array<std::string_view, kdBuildCount> kdBuildNames = { "spatial_median", "sah" };
 constexpr std::array<std::string_view, queryKindCount> queryNames = { "closest", "any", "all",
   "count" };
 
@@ -53,6 +54,11 @@ std::string_view name(Precision value)
 std::string_view name(BvhBuild value)
 {
   return nameOf(bvhBuildNames, static_cast<int>(value));
+}
+
+std::string_view name(KdBuild value)
+{
+  return nameOf(kdBuildNames, static_cast<int>(value));
 }
 
 std::string_view name(QueryKind value)

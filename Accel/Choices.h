@@ -46,6 +46,14 @@ enum class BvhBuild : int
 };
 inline constexpr int bvhBuildCount = 2;
 
+/// How a KD-tree is split.
+enum class KdBuild : int
+{
+  SpatialMedian = 0, ///< the textbook's: longest axis of the cell, in the middle
+  Sah = 1            ///< surface-area heuristic over the bounds of what lies in the cell (Wald and Havran 2006)
+};
+inline constexpr int kdBuildCount = 2;
+
 /// The question asked of each ray.
 enum class QueryKind : int
 {
@@ -61,6 +69,7 @@ inline constexpr int queryKindCount = 4;
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::string_view name(Structure);
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::string_view name(Precision);
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::string_view name(BvhBuild);
+[[nodiscard]] LUMITREE_ACCEL_EXPORT std::string_view name(KdBuild);
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::string_view name(QueryKind);
 ///@}
 

@@ -47,6 +47,13 @@ public:
   /// the t at which it does.
   [[nodiscard]] bool meets(const Box& box, double tStop, double& tEnter) const
   {
+    double tExit = 0.0;
+    return this->meets(box, tStop, tEnter, tExit);
+  }
+
+  /// The same; tExit becomes an upper bound.
+  [[nodiscard]] bool meets(const Box& box, double tStop, double& tEnter, double& tExit) const
+  {
     double enter = -std::numeric_limits<double>::infinity();
     double exit = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k)
@@ -58,14 +65,55 @@ public:
       enter = tNear > enter ? tNear : enter;
       exit = tFar < exit ? tFar : exit;
     }
+    if (!(enter < std::numeric_limits<double>::infinity() &&
+          exit > -std::numeric_limits<double>::infinity()))
+    {
+      if (this->passesBeside(box))
+      {
+        return false;
+      }
+      enter = std::min(enter, std::numeric_limits<double>::max());
+      exit = std::max(exit, std::numeric_limits<double>::lowest());
+    }
     // By factors, because infinity less infinity would be NaN and the box met.
-    enter = enter * (enter > 0.0 ? 1.0 - relativePad : 1.0 + relativePad) - absolutePad;
-    exit = exit * (exit > 0.0 ? 1.0 + relativePad : 1.0 - relativePad) + absolutePad;
+    enter = lowerBound(enter);
+    tExit = upperBound(exit);
     tEnter = enter > this->tMin_ ? enter : this->tMin_;
-    return tEnter <= exit && tEnter <= tStop;
+    return tEnter <= tExit && tEnter <= tStop;
+  }
+
+  /// Bounds of the t at which the line crosses the plane of points that have this position on the axis: ±infinity where the
+  /// direction lies in the plane; NaN where the origin does too, and where the axis does not constrain.
+  void crosses(int axis, double position, double& tLow, double& tHigh) const
+  {
+    const double t = (position - this->origin_[axis]) * this->reciprocal_[axis];
+    tLow = lowerBound(t);
+    tHigh = upperBound(t);
   }
 
 private:
+  static double lowerBound(double t)
+  {
+    return t * (t > 0.0 ? 1.0 - relativePad : 1.0 + relativePad) - absolutePad;
+  }
+  static double upperBound(double t)
+  {
+    return t * (t > 0.0 ? 1.0 + relativePad : 1.0 - relativePad) + absolutePad;
+  }
+
+  /// Whether the ray is parallel to a slab and outside it. Else what is infinite is so because it overflowed.
+  [[nodiscard]] bool passesBeside(const Box& box) const
+  {
+    bool beside = false;
+    for (int k = 0; k < 3; ++k)
+    {
+      beside = beside ||
+        (std::isinf(this->reciprocal_[k]) &&
+          !(box.lower[k] <= this->origin_[k] && this->origin_[k] <= box.upper[k]));
+    }
+    return beside || box.empty();
+  }
+
   static constexpr double relativePad = 0x1p-40;
   static constexpr double absolutePad = 0x1p-1000;
 
