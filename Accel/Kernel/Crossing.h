@@ -21,6 +21,12 @@ struct Crossing
   EdgeValues edges; ///< with this triangle's own bound, tighter than its block's
 };
 
+/// The largest of the components' magnitudes.
+inline double magnitude(const Vec3& a)
+{
+  return std::max(std::max(std::fabs(a[0]), std::fabs(a[1])), std::fabs(a[2]));
+}
+
 /// The edge functions of one triangle, by the arithmetic of the block filter: the same bits.
 inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
@@ -35,13 +41,8 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
   e.u = edgeFunction(d[0], d[1], d[2], bc[0], bc[1], bc[2], b[0], b[1], b[2]);
   e.v = edgeFunction(d[0], d[1], d[2], ca[0], ca[1], ca[2], c[0], c[1], c[2]);
   e.w = edgeFunction(d[0], d[1], d[2], ab[0], ab[1], ab[2], a[0], a[1], a[2]);
-  double edge = 0.0;
-  double m = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    edge = std::max({ edge, std::fabs(bc[k]), std::fabs(ca[k]), std::fabs(ab[k]) });
-    m = std::max({ m, std::fabs(a[k]), std::fabs(b[k]), std::fabs(c[k]) });
-  }
+  const double edge = std::max(std::max(magnitude(bc), magnitude(ca)), magnitude(ab));
+  const double m = std::max(std::max(magnitude(a), magnitude(b)), magnitude(c));
   e.error = 2.0 * edge * m * ray.oneNorm * (FilterRay::edgeBound / 2) + ray.boundFloor;
   return e;
 }
@@ -66,8 +67,8 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
     std::max(sign * e.w, 0.0) };
   const double sum = weights[0] + weights[1] + weights[2];
 
-  const double low = std::min({ a[0], a[1], a[2] });
-  const double high = std::max({ a[0], a[1], a[2] });
+  const double low = std::min(std::min(a[0], a[1]), a[2]);
+  const double high = std::max(std::max(a[0], a[1]), a[2]);
   const double rounding = 0x1p-49 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020;
   double mean = 0.5 * low + 0.5 * high;
   double spread = high - low;
@@ -94,18 +95,18 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
     x.v = 1.0 / 3.0;
   }
   const double pad = spread + rounding;
-  const double first = std::max(mean - pad, low - rounding) * ray.perAxis;
-  const double second = std::min(mean + pad, high + rounding) * ray.perAxis;
+  const auto parameter = [&](double along) {
+    // A subnormal direction has no reciprocal.
+    return std::isfinite(ray.perAxis) ? along * ray.perAxis : along / ray.direction[k];
+  };
+  const double first = parameter(std::max(mean - pad, low - rounding));
+  const double second = parameter(std::min(mean + pad, high + rounding));
   x.t = mean / ray.direction[k];
-  x.tLow = std::min(first, second);
-  x.tHigh = std::max(first, second);
+  // Where t overflows, the greatest number bounds it on the inner side.
+  x.tLow = std::min({ first, second, std::numeric_limits<double>::max() });
+  x.tHigh = std::max({ first, second, std::numeric_limits<double>::lowest() });
   x.tLow -= std::fabs(x.tLow) * 0x1p-51 + 0x1p-1020;
   x.tHigh += std::fabs(x.tHigh) * 0x1p-51 + 0x1p-1020;
-  if (!(x.tLow <= x.tHigh)) // NaN, where the direction is too short for a reciprocal or t overflows
-  {
-    x.tLow = -std::numeric_limits<double>::infinity();
-    x.tHigh = std::numeric_limits<double>::infinity();
-  }
   return x;
 }
 

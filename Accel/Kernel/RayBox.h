@@ -111,7 +111,7 @@ private:
         (std::isinf(this->reciprocal_[k]) &&
           !(box.lower[k] <= this->origin_[k] && this->origin_[k] <= box.upper[k]));
     }
-    return beside || box.empty();
+    return beside;
   }
 
   static constexpr double relativePad = 0x1p-40;
