@@ -83,10 +83,14 @@ public:
   }
 
   /// Bounds of the t at which the line crosses the plane of points that have this position on the axis: ±infinity where the
-  /// direction lies in the plane; NaN where the origin does too, and where the axis does not constrain.
+  /// line runs beside the plane; NaN where it runs in the plane, and where the axis does not constrain.
   void crosses(int axis, double position, double& tLow, double& tHigh) const
   {
-    const double t = (position - this->origin_[axis]) * this->reciprocal_[axis];
+    double t = (position - this->origin_[axis]) * this->reciprocal_[axis];
+    if (std::isinf(t) && !std::isinf(this->reciprocal_[axis])) // it overflowed
+    {
+      t = std::copysign(std::numeric_limits<double>::max(), t);
+    }
     tLow = lowerBound(t);
     tHigh = upperBound(t);
   }
