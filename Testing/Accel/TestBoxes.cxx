@@ -193,6 +193,34 @@ TEST(Boxes, SlabTestEndsWhereTheSegmentEnds)
   EXPECT_FALSE(meets(-5, -1));
 }
 
+TEST(Boxes, SubnormalDirectionsStillPassBesideSlabs)
+{
+  Box box;
+  box.extend(Vec3{ 0, 0, 0 });
+  box.extend(Vec3{ 1, 1, 1 });
+  double tEnter = 0.0;
+  for (const double beside : { -1.0, 2.0, belowZero, aboveOne })
+  {
+    for (const double tMin : { 0.0, -infinity })
+    {
+      for (const double zero : { 0.0, -0.0 })
+      {
+        const Ray ray = { { 0.5, beside, 0.5 }, { 0x1p-1030, zero, zero }, tMin };
+        EXPECT_FALSE(RayBox(ray).meets(box, infinity, tEnter)) << beside;
+      }
+    }
+  }
+  EXPECT_TRUE(RayBox(Ray{ { -1, 0.5, 1 }, { 0x1p-1030, 0, 0 } }).meets(box, infinity, tEnter));
+  // Where t overflows, the box is still there.
+  Box far;
+  far.extend(Vec3{ 0, 0, 0x1p100 });
+  far.extend(Vec3{ 1, 1, 0x1p101 });
+  EXPECT_TRUE(RayBox(Ray{ { 0.5, 0.5, 0 }, { 0, 0, 0x1p-1000 } }).meets(far, infinity, tEnter));
+  EXPECT_FALSE(RayBox(Ray{ { 0.5, 0.5, 0 }, { 0, 0, -0x1p-1000 } }).meets(far, infinity, tEnter));
+  EXPECT_TRUE(
+    RayBox(Ray{ { 0.5, 0.5, 0 }, { 0, 0, -0x1p-1000 }, -infinity }).meets(far, infinity, tEnter));
+}
+
 TEST(Boxes, EmptyBoxIsNeverMet)
 {
   double tEnter = 0.0;
