@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
+#include <thread>
+
 using namespace lumitree;
 using namespace lumitree::testing;
 
@@ -246,6 +249,50 @@ TEST_F(GroundTruth, CgalsQueriesAgreeWithEachOtherAndHonourTheContract)
     EXPECT_TRUE(others[i].primitive == noPrimitive || others[i].primitive != skipped[0]);
     EXPECT_TRUE(closest[i].primitive == skipped[0] || sameBits(others[i], closest[i]));
   }
+}
+
+TEST_F(GroundTruth, CgalMindsNeitherTheHostsRoundingNorOtherThreads)
+{
+  const auto& surface = scenes().front().surface;
+  const Rays rays = degenerateRays(*surface, 130);
+  std::vector<Hit> wanted(rays.size());
+  cgal(surface)->closest(rays.batch(), wanted.data(), with(Precision::Exact));
+
+  std::vector<Hit> hits(rays.size());
+  const int before = std::fegetround();
+  std::fesetround(FE_UPWARD);
+  const auto truth = cgal(surface);
+  truth->closest(rays.batch(), hits.data(), with(Precision::Exact));
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  std::fesetround(before);
+  std::vector<Hit> others(rays.size());
+  std::thread other([&] { truth->closest(rays.batch(), others.data(), with(Precision::Exact)); });
+  std::vector<Hit> mine(rays.size());
+  truth->closest(rays.batch(), mine.data(), with(Precision::Exact));
+  other.join();
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+    ASSERT_TRUE(sameBits(others[i], wanted[i])) << "ray " << i;
+    ASSERT_TRUE(sameBits(mine[i], wanted[i])) << "ray " << i;
+  }
+}
+
+TEST_F(GroundTruth, CgalStopsWhenTold)
+{
+  const auto& surface = scenes().front().surface;
+  const Rays rays = ordinaryRays(*surface, 500);
+  JobControl control;
+  control.onProgress = [](double) { return false; };
+  QueryOptions options = with(Precision::Exact);
+  options.control = &control;
+  std::vector<Hit> hits(rays.size(), Hit{ 1, 2, 3, 4 });
+  EXPECT_FALSE(cgal(surface)->closest(rays.batch(), hits.data(), options).completed);
+  EXPECT_TRUE(sameBits(hits.back(), Hit{}));
+  AllHits all;
+  EXPECT_FALSE(cgal(surface)->all(rays.batch(), all, options).completed);
+  EXPECT_EQ(all.offsets.size(), rays.size() + 1);
+  EXPECT_EQ(all.offsets.back(), all.hits.size());
 }
 
 TEST_F(GroundTruth, CgalShowsOneNodeAndKeepsBadTrianglesOut)
