@@ -5,6 +5,44 @@
 
 include(LumitreeVTKPackages)
 
+# lumitree_probe(<package> <components> <reason variable>)
+# Loads the package in a project of its own. The CMake files of ParaView and VTK stop the configure step when a
+# development package that they name is missing, even if asked to be quiet; here that is only a reason, empty
+# when all is well. A success is remembered.
+function (lumitree_probe package components reason_variable)
+  set("${reason_variable}" "" PARENT_SCOPE)
+  if (LUMITREE_PROBED_${package})
+    return ()
+  endif ()
+  set(directory "${CMAKE_BINARY_DIR}/probe/${package}")
+  file(REMOVE_RECURSE "${directory}")
+  file(WRITE "${directory}/CMakeLists.txt"
+    "cmake_minimum_required(VERSION 3.25)\nproject(Probe LANGUAGES C CXX)\n"
+    "find_package(${package} REQUIRED COMPONENTS ${components})\n")
+  string(REPLACE ";" "\\;" prefixes "${CMAKE_PREFIX_PATH}")
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -S "${directory}" -B "${directory}/build" -G "${CMAKE_GENERATOR}"
+      "-DCMAKE_C_COMPILER=${CMAKE_C_COMPILER}" "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+      "-DCMAKE_PREFIX_PATH=${prefixes}" "-DPython3_EXECUTABLE=${Python3_EXECUTABLE}"
+      "-D${package}_DIR=${${package}_DIR}"
+    RESULT_VARIABLE result
+    OUTPUT_FILE "${directory}/log.txt"
+    ERROR_FILE "${directory}/log.txt")
+  if (result EQUAL 0)
+    set("LUMITREE_PROBED_${package}" TRUE CACHE INTERNAL "${package} can be loaded")
+    return ()
+  endif ()
+  file(READ "${directory}/log.txt" log)
+  if (log MATCHES "CMake Error[^\n]*\n *Could NOT find ([A-Za-z0-9_+-]+)")
+    set(reason "${package} is there, but its CMake files ask for ${CMAKE_MATCH_1}, which was not found")
+  elseif (log MATCHES "package configuration file provided by \"${package}\"")
+    set(reason "${package} was not found")
+  else ()
+    set(reason "${package} could not be loaded; see ${directory}/log.txt")
+  endif ()
+  set("${reason_variable}" "${reason}" PARENT_SCOPE)
+endfunction ()
+
 set(_lumitree_vtk FALSE)
 set(_lumitree_vtk_detail "neither ParaView nor VTK was found")
 set(_lumitree_paraview FALSE)
@@ -15,8 +53,9 @@ endif ()
 
 if (NOT LUMITREE_VTK STREQUAL "OFF" AND NOT LUMITREE_PARAVIEW STREQUAL "OFF")
   lumitree_repair_package(ParaView)
-  find_package(ParaView QUIET COMPONENTS ${LUMITREE_PARAVIEW_COMPONENTS})
-  if (ParaView_FOUND)
+  lumitree_probe(ParaView "${LUMITREE_PARAVIEW_COMPONENTS}" _lumitree_paraview_detail)
+  if (NOT _lumitree_paraview_detail)
+    find_package(ParaView QUIET REQUIRED COMPONENTS ${LUMITREE_PARAVIEW_COMPONENTS})
     set(_lumitree_paraview TRUE)
     set(_lumitree_paraview_detail "${ParaView_VERSION}")
     set(_lumitree_vtk TRUE)
@@ -25,10 +64,11 @@ if (NOT LUMITREE_VTK STREQUAL "OFF" AND NOT LUMITREE_PARAVIEW STREQUAL "OFF")
 endif ()
 if (NOT LUMITREE_VTK STREQUAL "OFF" AND NOT _lumitree_paraview)
   lumitree_repair_package(VTK)
-  find_package(VTK 9.1 QUIET
-    COMPONENTS ${LUMITREE_VTK_COMPONENTS}
-    OPTIONAL_COMPONENTS ${LUMITREE_VTK_OPTIONAL_COMPONENTS})
-  if (VTK_FOUND)
+  lumitree_probe(VTK "${LUMITREE_VTK_COMPONENTS}" _lumitree_vtk_detail)
+  if (NOT _lumitree_vtk_detail)
+    find_package(VTK 9.1 QUIET REQUIRED
+      COMPONENTS ${LUMITREE_VTK_COMPONENTS}
+      OPTIONAL_COMPONENTS ${LUMITREE_VTK_OPTIONAL_COMPONENTS})
     set(_lumitree_vtk TRUE)
     set(_lumitree_vtk_detail "${VTK_VERSION}, plain")
   endif ()
