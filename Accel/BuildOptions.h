@@ -20,11 +20,12 @@ struct BuildOptions
   KdBuild kdBuild = KdBuild::Sah;
   int leafSize = 4;  ///< BVH: split nodes with more primitives than this; 1…1024
   int maxDepth = 64; ///< trees: a node this deep becomes a leaf whatever it holds; 1…64
+  bool embreeRobust = true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
 
   friend bool operator==(const BuildOptions& a, const BuildOptions& b)
   {
     return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.kdBuild == b.kdBuild &&
-      a.leafSize == b.leafSize && a.maxDepth == b.maxDepth;
+      a.leafSize == b.leafSize && a.maxDepth == b.maxDepth && a.embreeRobust == b.embreeRobust;
   }
 };
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Registry.h"
 
+#if defined(LUMITREE_EMBREE_MAJOR)
+#include "Accel/Reference/Embree/EmbreeAccelerator.h"
+#endif
 #include "Accel/Structures/BruteForce.h"
 #include "Accel/Structures/Bvh.h"
 #include "Accel/Structures/WideBvh.h"
@@ -24,6 +27,9 @@ Registry::Registry()
   this->add({ Structure::BruteForce, "every primitive, every ray", buildBruteForce });
   this->add({ Structure::Bvh, "binary bounding volume hierarchy", buildBvh });
   this->add({ Structure::WideBvh, "eight-wide bounding volume hierarchy", buildWideBvh });
+#if defined(LUMITREE_EMBREE_MAJOR)
+  this->add({ Structure::Embree, "Intel Embree, in float; shown as one node", buildEmbree });
+#endif
 }
 
 Registry::~Registry() = default;

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/Grid.h"
+
+#include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/GridBuilder.h"
+#include "Accel/Structures/GridSweep.h"
+
+namespace lumitree
+{
+namespace
+{
+
+class Grid
+{
+public:
+  Grid(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+    : cells_(buildGridCells(surface, options))
+  {
+    std::visit([&](auto& store) { this->fill(surface, store); }, blocks);
+  }
+
+  [[nodiscard]] const void* walked() const { return this; }
+  static StructureWalks walks() { return baselineWalks<Grid>(); }
+
+  template <class Visitor>
+  void walk(const RayBox& ray, Visitor& visitor) const
+  {
+    GridSweep sweep(this->cells_.lattice, ray);
+    if (!sweep.start(visitor.tStop()))
+    {
+      return;
+    }
+    visitor.node(0);
+    do
+    {
+      sweep.forEachCell([&](std::ptrdiff_t cell) {
+        visitor.cell();
+        const std::uint32_t leaf = this->cells_.leafOf[static_cast<std::size_t>(cell)];
+        if (leaf > 0)
+        {
+          visitor.node(leaf);
+          visitor.leaf({ this->firstBlock_[leaf - 1], this->cells_.leaves[leaf - 1].count, sweep.tEnter() });
+        }
+      });
+    } while (sweep.advance(visitor.tStop()));
+  }
+
+  /// The grid, then its occupied cells.
+  [[nodiscard]] HierarchyView view(const LeafBlocks&) const
+  {
+    const GridLattice& lattice = this->cells_.lattice;
+    HierarchyView view;
+    view.references = this->cells_.references;
+    view.nodes.resize(this->cells_.leaves.size() + 1);
+    SlabRange all;
+    for (int k = 0; k < 3; ++k)
+    {
+      all.last[k] = lattice.count(k) - 1;
+    }
+    view.nodes[0].box = lattice.box(all);
+    view.nodes[0].leaf = this->cells_.leaves.empty();
+    for (int z = 0; z <= all.last[2]; ++z)
+    {
+      for (int y = 0; y <= all.last[1]; ++y)
+      {
+        for (int x = 0; x <= all.last[0]; ++x)
+        {
+          const std::uint32_t leaf = this->cells_.leafOf[lattice.cell(x, y, z)];
+          if (leaf > 0)
+          {
+            HierarchyNode& node = view.nodes[leaf];
+            node.box = lattice.box({ { x, y, z }, { x, y, z } });
+            node.parent = 0;
+            node.depth = 1;
+            node.leaf = true;
+            node.firstReference = this->cells_.leaves[leaf - 1].first;
+            node.referenceCount = this->cells_.leaves[leaf - 1].count;
+          }
+        }
+      }
+    }
+    completeHierarchy(view);
+    return view;
+  }
+
+  [[nodiscard]] std::size_t memory() const
+  {
+    return this->cells_.leafOf.capacity() * sizeof(std::uint32_t) +
+      this->cells_.leaves.capacity() * sizeof(GridCells::Leaf) +
+      this->cells_.references.capacity() * sizeof(PrimitiveId) +
+      this->firstBlock_.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  /// Cells that hold one and the same single primitive share its block: a large triangle fills many.
+  template <class Store>
+  void fill(const Surface& surface, Store& store)
+  {
+    constexpr std::uint32_t none = ~std::uint32_t{ 0 };
+    std::vector<std::uint32_t> alone(surface.size(), none);
+    this->firstBlock_.reserve(this->cells_.leaves.size());
+    for (const GridCells::Leaf& leaf : this->cells_.leaves)
+    {
+      const PrimitiveId* const ids = this->cells_.references.data() + leaf.first;
+      if (leaf.count > 1)
+      {
+        this->firstBlock_.push_back(store.append(surface, ids, leaf.count));
+        continue;
+      }
+      if (alone[*ids] == none)
+      {
+        alone[*ids] = store.append(surface, ids, 1);
+      }
+      this->firstBlock_.push_back(alone[*ids]);
+    }
+  }
+
+  GridCells cells_;
+  std::vector<std::uint32_t> firstBlock_; ///< per leaf
+};
+
+} // namespace
+
+std::shared_ptr<const Accelerator> buildGrid(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+{
+  return std::make_shared<TreeAccelerator<Grid>>(std::move(surface), options);
+}
+
+} // namespace lumitree
