@@ -193,6 +193,23 @@ TEST_F(GroundTruth, FastAgreesOnOrdinaryRays)
   }
 }
 
+TEST_F(GroundTruth, AHitBeyondTheRangeOfDoublesIsAMiss)
+{
+  const auto surface = surfaceOf<double>(std::vector<std::array<Vec3, 3>>{
+    { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } },
+    { Vec3{ 0, 0, -4 }, Vec3{ 1, 0, -4 }, Vec3{ 0, 1, -4 } } });
+  std::vector<std::shared_ptr<const Accelerator>> all = accelerators(surface);
+  all.push_back(cgal(surface));
+  for (const auto& accelerator : all)
+  {
+    SCOPED_TRACE(label(accelerator->options()));
+    const Ray ray = { { 0.25, 0.25, 0 }, { 0, 0, 0x1p-1022 }, -HUGE_VAL, HUGE_VAL };
+    const auto hits = allOf(*accelerator, ray, Precision::Exact);
+    ASSERT_EQ(hits.size(), 1u);
+    EXPECT_EQ(hits[0].t, 0x1p1022);
+  }
+}
+
 TEST_F(GroundTruth, CgalAnswersExactQueriesOnly)
 {
   const auto truth = cgal(scenes().front().surface);

@@ -182,8 +182,9 @@ void CgalTree::all(const Ray& ray, const PrimitiveId* skipFirst, const Primitive
       continue;
     }
     const Rational t = dot(normal, difference(v[0], ray.origin)) / under;
+    // What lies beyond the range of doubles is a miss, as for every structure.
     if ((std::isinf(ray.tMin) || t >= Rational(ray.tMin)) &&
-      (std::isinf(ray.tMax) || t <= Rational(ray.tMax)))
+      (std::isinf(ray.tMax) || t <= Rational(ray.tMax)) && std::isfinite(rounded(t)))
     {
       exact.push_back({ t, id, v });
     }
