@@ -7,6 +7,7 @@
 #endif
 #include "Accel/Structures/BruteForce.h"
 #include "Accel/Structures/Bvh.h"
+#include "Accel/Structures/KdTree.h"
 #include "Accel/Structures/WideBvh.h"
 
 #include <map>
@@ -27,6 +28,7 @@ Registry::Registry()
   this->add({ Structure::BruteForce, "every primitive, every ray", buildBruteForce });
   this->add({ Structure::Bvh, "binary bounding volume hierarchy", buildBvh });
   this->add({ Structure::WideBvh, "eight-wide bounding volume hierarchy", buildWideBvh });
+  this->add({ Structure::KdTree, "KD-tree", buildKdTree });
 #if defined(LUMITREE_EMBREE_MAJOR)
   this->add({ Structure::Embree, "Intel Embree, in float; shown as one node", buildEmbree });
 #endif

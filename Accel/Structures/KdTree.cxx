@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/KdTree.h"
+
+#include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/KdTreeBuilder.h"
+#include "Accel/Structures/KdTreeView.h"
+#include "Accel/Structures/KdTreeWalk.h"
+
+namespace lumitree
+{
+namespace
+{
+
+class KdTree
+{
+public:
+  KdTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+    : tree_(buildKdTreeNodes(surface,
+        options.kdBuild == KdBuild::SpatialMedian ? spatialMedianSplitter(options.leafSize)
+                                                  : kdSahSplitter(),
+        options.maxDepth, blocks))
+  {
+  }
+
+  [[nodiscard]] const void* walked() const { return this; }
+  static StructureWalks walks() { return baselineWalks<KdTree>(); }
+
+  template <class Visitor>
+  void walk(const RayBox& ray, Visitor& visitor) const
+  {
+    walkKdTree(this->tree_, ray, visitor);
+  }
+
+  [[nodiscard]] HierarchyView view(const LeafBlocks& blocks) const
+  {
+    return viewKdTree(this->tree_, blocks);
+  }
+
+  [[nodiscard]] std::size_t memory() const { return this->tree_.nodes.capacity() * sizeof(KdNode); }
+
+private:
+  KdTreeNodes tree_;
+};
+
+} // namespace
+
+std::shared_ptr<const Accelerator> buildKdTree(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+{
+  return std::make_shared<TreeAccelerator<KdTree>>(std::move(surface), options);
+}
+
+} // namespace lumitree
