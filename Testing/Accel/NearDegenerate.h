@@ -15,8 +15,8 @@ struct Pair
   std::array<Vec3, 3> triangle;
 };
 
-/// Makes pairs that are hard to decide: full mantissas, rays through (or an ulp beside) vertices and edges, slivers,
-/// triangles seen edge-on, magnitudes far apart.
+/// Makes pairs that are hard to decide: full mantissas, rays through (or an ulp beside) vertices
+/// and edges, slivers, triangles seen edge-on, magnitudes far apart.
 class NearDegenerate
 {
 public:

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <cstring>
 
-/// The definition of a hit in rational numbers, written down once more and without haste: it shares no code with
-/// Accel/Exact.
+/// The definition of a hit in rational numbers, written down once more and without haste: it shares
+/// no code with Accel/Exact.
 namespace lumitree::testing
 {
 
@@ -80,7 +80,8 @@ struct RationalCrossing
   }
 };
 
-/// Whether the closed segment of the ray meets the closed triangle, not being parallel to its plane.
+/// Whether the closed segment of the ray meets the closed triangle, not being parallel to its
+/// plane.
 inline bool rationallyHits(const Ray& ray, const RationalCrossing& x)
 {
   return x.inside && (std::isinf(ray.tMin) || x.t >= rational(ray.tMin)) &&

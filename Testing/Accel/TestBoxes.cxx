@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays on, in and beside the planes of boxes, where slab tests fail: on every axis, in both directions and at three
-// lengths of the direction. First the slab test alone, then the same boxes as surfaces.
+// Rays on, in and beside the planes of boxes, where slab tests fail: on every axis, in both
+// directions and at three lengths of the direction. First the slab test alone, then the same boxes
+// as surfaces.
 #include "Accel/Kernel/RayBox.h"
 #include "TestHelpers.h"
 
@@ -26,8 +27,8 @@ struct Case
   Vec3 origin;
   Vec3 direction;
   double t; ///< at which the ray first meets the box's boundary, at or after 0; infinity: never
-  bool met = true;      ///< whether the ray meets the solid box
-  bool surface = true;  ///< whether the case is also tried on triangles
+  bool met = true;     ///< whether the ray meets the solid box
+  bool surface = true; ///< whether the case is also tried on triangles
 };
 
 const std::vector<Case>& cases()
@@ -41,7 +42,8 @@ const std::vector<Case>& cases()
     { "on the upper plane, minus zeros", zero, one, { 1, 0.3, -1 }, { -0.0, -0.0, 1 }, 1 },
     { "on both upper planes", zero, one, { 1, 1, -1 }, { 0, 0, 1 }, 1 },
     { "on a lower and an upper plane", zero, one, { 0, 1, -1 }, { -0.0, 0, 1 }, 1 },
-    { "just above the upper plane", zero, one, { aboveOne, 0.3, -1 }, { 0, 0, 1 }, infinity, false },
+    { "just above the upper plane", zero, one, { aboveOne, 0.3, -1 }, { 0, 0, 1 }, infinity,
+      false },
     { "just above, minus zero", zero, one, { aboveOne, 0.3, -1 }, { -0.0, 0, 1 }, infinity, false },
     { "just below the lower plane", zero, one, { belowZero, 0.3, -1 }, { 0, 0, 1 }, infinity,
       false },
@@ -82,7 +84,8 @@ const std::vector<Case>& cases()
   return all;
 }
 
-/// A base position carried to another axis, mirrored at the origin, with a longer or shorter direction.
+/// A base position carried to another axis, mirrored at the origin, with a longer or shorter
+/// direction.
 struct Placement
 {
   int axis;
@@ -180,7 +183,8 @@ TEST(Boxes, SlabTestEndsWhereTheSegmentEnds)
   box.extend(Vec3{ 0, 0, 0 });
   box.extend(Vec3{ 1, 1, 1 });
   double tEnter = 0.0;
-  const auto meets = [&](double tMin, double tMax) {
+  const auto meets = [&](double tMin, double tMax)
+  {
     const Ray ray = { { 0.5, 0.5, -1 }, { 0, 0, 1 }, tMin, tMax };
     return RayBox(ray).meets(box, tMax, tEnter);
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces on which builders fail to end, run out of memory or go wrong: none, one, all in one place, not finite, scales
-// far apart, far from the origin; and options out of range.
+// Surfaces on which builders fail to end, run out of memory or go wrong: none, one, all in one
+// place, not finite, scales far apart, far from the origin; and options out of range.
 #include "TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,8 @@ void forEveryStructure(const std::shared_ptr<const Surface>& surface, const Chec
 TEST(Builders, NoTriangleAtAll)
 {
   forEveryStructure(surfaceOf<double>(std::vector<Corners>{}),
-    [](const Accelerator& accelerator, Precision precision) {
+    [](const Accelerator& accelerator, Precision precision)
+    {
       EXPECT_EQ(closestOf(accelerator, throughUnitTriangle, precision).primitive, noPrimitive);
       EXPECT_TRUE(allOf(accelerator, throughUnitTriangle, precision).empty());
       EXPECT_EQ(accelerator.statistics().references, 0u);
@@ -45,16 +46,20 @@ TEST(Builders, NoTriangleAtAll)
 TEST(Builders, NothingButTrianglesThatCannotBeHit)
 {
   const Vec3 p = { 1, 2, 3 };
-  forEveryStructure(surfaceOf<double>(std::vector<Corners>{ { p, p, p }, { Vec3{ infinity, 0, 0 }, p, p } }),
-    [](const Accelerator& accelerator, Precision precision) {
-      EXPECT_EQ(closestOf(accelerator, { { 1, 2, 0 }, { 0, 0, 1 } }, precision).primitive, noPrimitive);
+  forEveryStructure(
+    surfaceOf<double>(std::vector<Corners>{ { p, p, p }, { Vec3{ infinity, 0, 0 }, p, p } }),
+    [](const Accelerator& accelerator, Precision precision)
+    {
+      EXPECT_EQ(
+        closestOf(accelerator, { { 1, 2, 0 }, { 0, 0, 1 } }, precision).primitive, noPrimitive);
     });
 }
 
 TEST(Builders, OneTriangle)
 {
-  forEveryStructure(
-    surfaceOf<float>(std::vector<Corners>{ unitTriangle }), [](const Accelerator& accelerator, Precision precision) {
+  forEveryStructure(surfaceOf<float>(std::vector<Corners>{ unitTriangle }),
+    [](const Accelerator& accelerator, Precision precision)
+    {
       const Hit hit = closestOf(accelerator, throughUnitTriangle, precision);
       EXPECT_EQ(hit.primitive, 0u);
       EXPECT_EQ(hit.t, 1.0);
@@ -68,22 +73,25 @@ TEST(Builders, AllCentresInOnePlace)
   for (int i = 1; i <= 300; ++i)
   {
     const double r = i;
-    triangles.push_back(i % 2 == 0 ? Corners{ Vec3{ -r, -r, 0 }, Vec3{ r, -r, 0 }, Vec3{ 0, r, 0 } }
-                                   : Corners{ Vec3{ -r, 0, -r }, Vec3{ r, 0, r }, Vec3{ 0, 0, r } });
+    triangles.push_back(i % 2 == 0
+        ? Corners{ Vec3{ -r, -r, 0 }, Vec3{ r, -r, 0 }, Vec3{ 0, r, 0 } }
+        : Corners{ Vec3{ -r, 0, -r }, Vec3{ r, 0, r }, Vec3{ 0, 0, r } });
   }
   const auto surface = surfaceOf<float>(triangles);
   const auto oracle = build(surface, optionsOf(Structure::BruteForce));
   const Rays rays = raysAround(*surface, 200, 3);
-  forEveryStructure(surface, [&](const Accelerator& accelerator, Precision precision) {
-    std::vector<Hit> wanted(rays.size());
-    std::vector<Hit> hits(rays.size());
-    oracle->closest(rays.batch(), wanted.data(), with(precision));
-    accelerator.closest(rays.batch(), hits.data(), with(precision));
-    for (std::size_t i = 0; i < rays.size(); ++i)
+  forEveryStructure(surface,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
-    }
-  });
+      std::vector<Hit> wanted(rays.size());
+      std::vector<Hit> hits(rays.size());
+      oracle->closest(rays.batch(), wanted.data(), with(precision));
+      accelerator.closest(rays.batch(), hits.data(), with(precision));
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+      }
+    });
 }
 
 TEST(Builders, AHundredThousandIdenticalTriangles)
@@ -91,17 +99,19 @@ TEST(Builders, AHundredThousandIdenticalTriangles)
   std::vector<Triangle> triangles(100000, Triangle{ 0, 1, 2 });
   const auto surface = std::make_shared<const Surface>(
     PointArray::from(std::vector<float>{ 0, 0, 0, 1, 0, 0, 0, 1, 0 }), triangles);
-  forEveryStructure(surface, [](const Accelerator& accelerator, Precision precision) {
-    EXPECT_LT(accelerator.statistics().memory, std::size_t{ 1 } << 28);
-    const Hit hit = closestOf(accelerator, throughUnitTriangle, precision);
-    EXPECT_EQ(hit.primitive, 0u);
-    EXPECT_EQ(hit.t, 1.0);
-    Rays rays;
-    rays.add(throughUnitTriangle);
-    std::uint32_t count = 0;
-    accelerator.count(rays.batch(), &count, with(precision));
-    EXPECT_EQ(count, 100000u);
-  });
+  forEveryStructure(surface,
+    [](const Accelerator& accelerator, Precision precision)
+    {
+      EXPECT_LT(accelerator.statistics().memory, std::size_t{ 1 } << 28);
+      const Hit hit = closestOf(accelerator, throughUnitTriangle, precision);
+      EXPECT_EQ(hit.primitive, 0u);
+      EXPECT_EQ(hit.t, 1.0);
+      Rays rays;
+      rays.add(throughUnitTriangle);
+      std::uint32_t count = 0;
+      accelerator.count(rays.batch(), &count, with(precision));
+      EXPECT_EQ(count, 100000u);
+    });
 }
 
 TEST(Builders, TriangleThatIsNotFiniteLeavesTheOthersAlone)
@@ -120,12 +130,14 @@ TEST(Builders, TriangleThatIsNotFiniteLeavesTheOthersAlone)
     triangles[8][0] = { bad, bad, bad };
     const auto surface = surfaceOf<double>(triangles);
     EXPECT_EQ(surface->nonFiniteCount(), 2u);
-    forEveryStructure(surface, [](const Accelerator& accelerator, Precision precision) {
-      const auto hits = allOf(accelerator, throughUnitTriangle, precision);
-      ASSERT_EQ(hits.size(), 48u);
-      EXPECT_EQ(hits[6].primitive, 6u);
-      EXPECT_EQ(hits[7].primitive, 9u);
-    });
+    forEveryStructure(surface,
+      [](const Accelerator& accelerator, Precision precision)
+      {
+        const auto hits = allOf(accelerator, throughUnitTriangle, precision);
+        ASSERT_EQ(hits.size(), 48u);
+        EXPECT_EQ(hits[6].primitive, 6u);
+        EXPECT_EQ(hits[7].primitive, 9u);
+      });
   }
 }
 
@@ -142,17 +154,19 @@ TEST(Builders, LongThinTrianglesThroughEverything)
   const auto surface = surfaceOf<float>(triangles);
   const auto oracle = build(surface, optionsOf(Structure::BruteForce));
   const Rays rays = raysAround(*surface, 500, 4);
-  forEveryStructure(surface, [&](const Accelerator& accelerator, Precision precision) {
-    EXPECT_LT(accelerator.statistics().memory, std::size_t{ 1 } << 26);
-    std::vector<Hit> wanted(rays.size());
-    std::vector<Hit> hits(rays.size());
-    oracle->closest(rays.batch(), wanted.data(), with(precision));
-    accelerator.closest(rays.batch(), hits.data(), with(precision));
-    for (std::size_t i = 0; i < rays.size(); ++i)
+  forEveryStructure(surface,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
-    }
-  });
+      EXPECT_LT(accelerator.statistics().memory, std::size_t{ 1 } << 26);
+      std::vector<Hit> wanted(rays.size());
+      std::vector<Hit> hits(rays.size());
+      oracle->closest(rays.batch(), wanted.data(), with(precision));
+      accelerator.closest(rays.batch(), hits.data(), with(precision));
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+      }
+    });
 }
 
 TEST(Builders, TeapotInAStadiumTwentyMillionTimesItsSize)
@@ -164,23 +178,26 @@ TEST(Builders, TeapotInAStadiumTwentyMillionTimesItsSize)
   Uniform uniform(2);
   for (int i = 0; i < 200; ++i)
   {
-    const auto corners = surface->vertices(static_cast<PrimitiveId>(uniform.index(surface->size() - 12)));
+    const auto corners =
+      surface->vertices(static_cast<PrimitiveId>(uniform.index(surface->size() - 12)));
     const double distance = i % 2 == 0 ? 1.0 : 1e5;
     const Vec3 origin = { distance * uniform(-1, 1), distance * uniform(-1, 1), distance };
     rays.add(origin, (1 / 3.0) * (corners[0] + corners[1] + corners[2]) - origin);
   }
-  forEveryStructure(surface, [&](const Accelerator& accelerator, Precision precision) {
-    EXPECT_LT(accelerator.statistics().memory, std::size_t{ 1 } << 26);
-    std::vector<Hit> wanted(rays.size());
-    std::vector<Hit> hits(rays.size());
-    oracle->closest(rays.batch(), wanted.data(), with(precision));
-    accelerator.closest(rays.batch(), hits.data(), with(precision));
-    for (std::size_t i = 0; i < rays.size(); ++i)
+  forEveryStructure(surface,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
-      ASSERT_NE(hits[i].primitive, noPrimitive);
-    }
-  });
+      EXPECT_LT(accelerator.statistics().memory, std::size_t{ 1 } << 26);
+      std::vector<Hit> wanted(rays.size());
+      std::vector<Hit> hits(rays.size());
+      oracle->closest(rays.batch(), wanted.data(), with(precision));
+      accelerator.closest(rays.batch(), hits.data(), with(precision));
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+        ASSERT_NE(hits[i].primitive, noPrimitive);
+      }
+    });
 }
 
 TEST(Builders, FarFromTheOriginTheHitsStayTheSame)
@@ -231,7 +248,8 @@ TEST(Builders, FarFromTheOriginTheHitsStayTheSame)
 TEST(Builders, FloatsWhoseUlpIsOneOrTwo)
 {
   const double offset = 0x1p24;
-  const auto mesh = [] {
+  const auto mesh = []
+  {
     auto sphere = data::sphere(8);
     for (double& x : sphere.points)
     {
@@ -242,21 +260,24 @@ TEST(Builders, FloatsWhoseUlpIsOneOrTwo)
   const auto surface = surfaceOf<float>(mesh, { offset, -offset, offset });
   const Vec3 centre = { offset, -offset, offset };
   Uniform uniform(8);
-  forEveryStructure(surface, [&](const Accelerator& accelerator, Precision precision) {
-    for (int i = 0; i < 100; ++i)
+  forEveryStructure(surface,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      const Vec3 direction = { uniform(-1, 1), uniform(-1, 1), uniform(-1, 1) };
-      const Hit hit = closestOf(accelerator, { centre, direction }, precision);
-      ASSERT_NE(hit.primitive, noPrimitive);
-      ASSERT_NEAR(hit.t * length(direction), 1000, 15);
-    }
-  });
+      for (int i = 0; i < 100; ++i)
+      {
+        const Vec3 direction = { uniform(-1, 1), uniform(-1, 1), uniform(-1, 1) };
+        const Hit hit = closestOf(accelerator, { centre, direction }, precision);
+        ASSERT_NE(hit.primitive, noPrimitive);
+        ASSERT_NEAR(hit.t * length(direction), 1000, 15);
+      }
+    });
 }
 
 TEST(Builders, OptionsOutOfRangeAreRefusedByName)
 {
   const auto surface = surfaceOf<float>(std::vector<Corners>{ unitTriangle });
-  const auto refusal = [&](const BuildOptions& options) -> std::string {
+  const auto refusal = [&](const BuildOptions& options) -> std::string
+  {
     try
     {
       (void)build(surface, options);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells and split planes: triangles in the planes that divide space, hits exactly on a cell's border, rays along cell faces,
-// edges and diagonals, triangles much larger than cells. Every structure must answer as brute force does, to the bit.
+// Cells and split planes: triangles in the planes that divide space, hits exactly on a cell's
+// border, rays along cell faces, edges and diagonals, triangles much larger than cells. Every
+// structure must answer as brute force does, to the bit.
 #include "TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,8 @@ void expectBruteForce(const std::vector<Corners>& triangles, const Rays& rays)
           const Ray ray = rays.batch()[i];
           ASSERT_EQ(all.offsets[i + 1], wantedAll.offsets[i + 1])
             << "ray " << i << " from " << ::testing::PrintToString(ray.origin) << " along "
-            << ::testing::PrintToString(ray.direction) << " between " << ray.tMin << " and " << ray.tMax;
+            << ::testing::PrintToString(ray.direction) << " between " << ray.tMin << " and "
+            << ray.tMax;
           ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
           ASSERT_EQ(any[i], wanted[i].primitive != noPrimitive ? 1 : 0) << "ray " << i;
           ASSERT_EQ(counts[i], all.offsets[i + 1] - all.offsets[i]) << "ray " << i;
@@ -56,8 +58,8 @@ void expectBruteForce(const std::vector<Corners>& triangles, const Rays& rays)
   }
 }
 
-/// Unit right triangles in all three orientations at lattice points: they lie in, and touch, every plane that divides a
-/// power of two cells.
+/// Unit right triangles in all three orientations at lattice points: they lie in, and touch, every
+/// plane that divides a power of two cells.
 std::vector<Corners> lattice(int n)
 {
   std::vector<Corners> triangles;
@@ -80,8 +82,8 @@ std::vector<Corners> lattice(int n)
   return triangles;
 }
 
-/// Rays between lattice points and half-way points: along edges, faces and diagonals of cells, many with a component of ±0,
-/// ending or beginning exactly on borders.
+/// Rays between lattice points and half-way points: along edges, faces and diagonals of cells, many
+/// with a component of ±0, ending or beginning exactly on borders.
 Rays latticeRays(int n, std::size_t count)
 {
   Uniform uniform(13);
@@ -91,7 +93,8 @@ Rays latticeRays(int n, std::size_t count)
     Ray ray;
     for (int k = 0; k < 3; ++k)
     {
-      ray.origin[k] = static_cast<double>(uniform.index(2 * static_cast<std::size_t>(n) + 5)) / 2 - 1;
+      ray.origin[k] =
+        static_cast<double>(uniform.index(2 * static_cast<std::size_t>(n) + 5)) / 2 - 1;
       ray.direction[k] = static_cast<double>(uniform.index(3)) - 1;
     }
     if (i % 5 == 0)
@@ -140,7 +143,8 @@ TEST(Cells, DiagonalThroughEveryLatticePoint)
 
 TEST(Cells, ATriangleAcrossAllCellsDoesNotHideANearerOne)
 {
-  // The large triangle is in the first cell a ray enters, and hit in the last; small ones lie in between.
+  // The large triangle is in the first cell a ray enters, and hit in the last; small ones lie in
+  // between.
   std::vector<Corners> triangles = { { Vec3{ 0, 0, 0 }, Vec3{ 16, 0, 16 }, Vec3{ 16, 16, 16 } },
     { Vec3{ 0, 0, 0 }, Vec3{ 16, 16, 16 }, Vec3{ 0, 16, 0 } } };
   Uniform uniform(15);
@@ -175,7 +179,8 @@ TEST(Cells, AMillionCellsLengthsAway)
     const double z = static_cast<double>(uniform.index(9)) / 8;
     const double side = i % 2 == 0 ? 1.0 : -1.0;
     rays.add({ side > 0 ? 30.0 : 999990.0, y, z }, { side, 0, 0 });
-    rays.add({ side > 0 ? 30.0 : 999990.0, y, z }, { side, uniform(-1e-7, 1e-7), uniform(-1e-7, 1e-7) });
+    rays.add(
+      { side > 0 ? 30.0 : 999990.0, y, z }, { side, uniform(-1e-7, 1e-7), uniform(-1e-7, 1e-7) });
     rays.add(Ray{ { 0, y, z }, { 1, 0, 0 }, 20, 1e6 });
     rays.add(Ray{ { 0, y, z }, { 0.125, 0, 0 }, 8e6, 8e6 });
   }

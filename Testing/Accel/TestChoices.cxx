@@ -16,7 +16,8 @@ using namespace lumitree::testing;
 namespace
 {
 
-const std::vector<std::array<Vec3, 3>> oneTriangle = { { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } } };
+const std::vector<std::array<Vec3, 3>> oneTriangle = { { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 },
+  Vec3{ 0, 1, 0 } } };
 
 TEST(Choices, NamesRoundTripAndAreDistinct)
 {
@@ -99,9 +100,11 @@ TEST(Registry, AMissingStructureIsReportedWithTheAlternatives)
 
 TEST(Registry, ABackEndCanBeAddedAndReplaced)
 {
-  const auto add = [](int& calls) {
+  const auto add = [](int& calls)
+  {
     Registry::instance().add({ Structure::Cgal, "a stand-in",
-      [&calls](std::shared_ptr<const Surface> surface, const BuildOptions& options) {
+      [&calls](std::shared_ptr<const Surface> surface, const BuildOptions& options)
+      {
         ++calls;
         BuildOptions other = options;
         other.structure = Structure::BruteForce;
@@ -167,7 +170,8 @@ TEST(Registry, AnAcceleratorAnswersSeveralThreadsAtOnce)
     std::vector<std::thread> threads;
     for (auto& hits : answers)
     {
-      threads.emplace_back([&] { accelerator->closest(rays.batch(), hits.data(), with(Precision::Exact)); });
+      threads.emplace_back(
+        [&] { accelerator->closest(rays.batch(), hits.data(), with(Precision::Exact)); });
     }
     for (std::thread& thread : threads)
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The floating-point filter keeps its promises: no edge function is further from the exact one than its bound, and the
-// interval of t contains the exact t.
+// The floating-point filter keeps its promises: no edge function is further from the exact one than
+// its bound, and the interval of t contains the exact t.
 #include "Accel/Kernel/Crossing.h"
 #include "NearDegenerate.h"
 #include "RationalOracle.h"
@@ -17,7 +17,8 @@ namespace
 template <class Check>
 void forPairs(int each, const Check& check)
 {
-  for (const double scale : { 1.0, 1e6, 0x1p-100, 0x1p-330, 0x1p-350, 0x1p-500, 0x1p300, 0x1p340, 0x1p512 })
+  for (const double scale :
+    { 1.0, 1e6, 0x1p-100, 0x1p-330, 0x1p-350, 0x1p-500, 0x1p300, 0x1p340, 0x1p512 })
   {
     NearDegenerate random(29);
     for (int kind = 0; kind < NearDegenerate::kinds; ++kind)
@@ -38,25 +39,27 @@ void forPairs(int each, const Check& check)
 TEST(FilterBound, EdgeFunctionsErrLessThanTheirBound)
 {
   double worst = 0.0;
-  forPairs(150, [&](const Pair& p) {
-    const EdgeValues e = edgeValues(FilterRay(p.ray), p.triangle);
-    if (!std::isfinite(e.error))
+  forPairs(150,
+    [&](const Pair& p)
     {
-      return; // nothing is certain, nothing is claimed
-    }
-    const RationalCrossing exact(p.ray, p.triangle);
-    // The filter's edge functions are the weights, up to one sign for all.
-    for (int i = 0; i < 3; ++i)
-    {
-      const double computed = i == 0 ? e.u : (i == 1 ? e.v : e.w);
-      ASSERT_TRUE(std::isfinite(computed));
-      const Rational off = abs(rational(computed) - exact.weights[i]);
-      const Rational otherOff = abs(rational(computed) + exact.weights[i]);
-      const Rational error = off < otherOff ? off : otherOff;
-      ASSERT_LE(error, rational(e.error));
-      worst = std::max(worst, static_cast<double>(error / rational(e.error)));
-    }
-  });
+      const EdgeValues e = edgeValues(FilterRay(p.ray), p.triangle);
+      if (!std::isfinite(e.error))
+      {
+        return; // nothing is certain, nothing is claimed
+      }
+      const RationalCrossing exact(p.ray, p.triangle);
+      // The filter's edge functions are the weights, up to one sign for all.
+      for (int i = 0; i < 3; ++i)
+      {
+        const double computed = i == 0 ? e.u : (i == 1 ? e.v : e.w);
+        ASSERT_TRUE(std::isfinite(computed));
+        const Rational off = abs(rational(computed) - exact.weights[i]);
+        const Rational otherOff = abs(rational(computed) + exact.weights[i]);
+        const Rational error = off < otherOff ? off : otherOff;
+        ASSERT_LE(error, rational(e.error));
+        worst = std::max(worst, static_cast<double>(error / rational(e.error)));
+      }
+    });
   EXPECT_GT(worst, 0.01) << "the pairs do not try the bound";
   RecordProperty("WorstShareOfTheBound", std::to_string(worst));
 }
@@ -65,13 +68,15 @@ TEST(FilterBound, CertaintiesAreTrue)
 {
   int certain = 0;
   int open = 0;
-  forPairs(150, [&](const Pair& p) {
-    const EdgeValues e = edgeValues(FilterRay(p.ray), p.triangle);
-    const RationalCrossing exact(p.ray, p.triangle);
-    ASSERT_FALSE(surelyHit(e) && !exact.inside);
-    ASSERT_FALSE(surelyMissed(e) && exact.inside);
-    (surelyHit(e) || surelyMissed(e) ? certain : open) += 1;
-  });
+  forPairs(150,
+    [&](const Pair& p)
+    {
+      const EdgeValues e = edgeValues(FilterRay(p.ray), p.triangle);
+      const RationalCrossing exact(p.ray, p.triangle);
+      ASSERT_FALSE(surelyHit(e) && !exact.inside);
+      ASSERT_FALSE(surelyMissed(e) && exact.inside);
+      (surelyHit(e) || surelyMissed(e) ? certain : open) += 1;
+    });
   EXPECT_GT(certain, 1000);
   EXPECT_GT(open, 1000);
 }
@@ -79,20 +84,22 @@ TEST(FilterBound, CertaintiesAreTrue)
 TEST(FilterBound, IntervalsContainTheExactT)
 {
   int narrow = 0;
-  forPairs(150, [&](const Pair& p) {
-    const RationalCrossing exact(p.ray, p.triangle);
-    if (!exact.inside)
+  forPairs(150,
+    [&](const Pair& p)
     {
-      return;
-    }
-    const Crossing x = crossing(FilterRay(p.ray), p.triangle);
-    ASSERT_FALSE(std::isnan(x.tLow) || std::isnan(x.tHigh));
-    ASSERT_TRUE(std::isinf(x.tLow) || rational(x.tLow) <= exact.t);
-    ASSERT_TRUE(std::isinf(x.tHigh) || exact.t <= rational(x.tHigh));
-    ASSERT_LE(x.tLow, x.t);
-    ASSERT_LE(x.t, x.tHigh);
-    narrow += x.tHigh - x.tLow <= 0x1p-40 * std::fabs(x.t) ? 1 : 0;
-  });
+      const RationalCrossing exact(p.ray, p.triangle);
+      if (!exact.inside)
+      {
+        return;
+      }
+      const Crossing x = crossing(FilterRay(p.ray), p.triangle);
+      ASSERT_FALSE(std::isnan(x.tLow) || std::isnan(x.tHigh));
+      ASSERT_TRUE(std::isinf(x.tLow) || rational(x.tLow) <= exact.t);
+      ASSERT_TRUE(std::isinf(x.tHigh) || exact.t <= rational(x.tHigh));
+      ASSERT_LE(x.tLow, x.t);
+      ASSERT_LE(x.t, x.tHigh);
+      narrow += x.tHigh - x.tLow <= 0x1p-40 * std::fabs(x.t) ? 1 : 0;
+    });
   EXPECT_GT(narrow, 400);
 }
 
@@ -116,12 +123,14 @@ TEST(FilterBound, IntervalsHoldForDirectionsWithoutAReciprocal)
 
 TEST(FilterBound, TStaysWithinTheTriangleHoweverGrazingTheRay)
 {
-  forPairs(100, [&](const Pair& p) {
-    const Crossing x = crossing(FilterRay(p.ray), p.triangle);
-    ASSERT_GE(x.u, 0.0);
-    ASSERT_GE(x.v, 0.0);
-    ASSERT_LE(x.u + x.v, 1.0 + 0x1p-50);
-  });
+  forPairs(100,
+    [&](const Pair& p)
+    {
+      const Crossing x = crossing(FilterRay(p.ray), p.triangle);
+      ASSERT_GE(x.u, 0.0);
+      ASSERT_GE(x.v, 0.0);
+      ASSERT_LE(x.u + x.v, 1.0 + 0x1p-50);
+    });
 }
 
 TEST(FilterBound, FarAwayTheEdgeFormStillDecides)

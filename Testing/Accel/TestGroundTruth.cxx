@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// CGAL's exact arithmetic against every structure: which primitives are hit, in what order, at what t. Rays through
-// vertices and edges, in planes, at limits, far from the origin; and ordinary ones.
+// CGAL's exact arithmetic against every structure: which primitives are hit, in what order, at what
+// t. Rays through vertices and edges, in planes, at limits, far from the origin; and ordinary ones.
 #include "Accel/Reference/CGAL/CgalReference.h"
 #include "TestHelpers.h"
 
@@ -49,7 +49,8 @@ const std::vector<Scene>& scenes()
   return all;
 }
 
-/// Rays meant to be hard: exactly through vertices, along edges, in planes, along axes; some with limits.
+/// Rays meant to be hard: exactly through vertices, along edges, in planes, along axes; some with
+/// limits.
 Rays degenerateRays(const Surface& surface, std::size_t count)
 {
   Uniform uniform(17);
@@ -113,8 +114,8 @@ protected:
     return build(surface, optionsOf(Structure::Cgal));
   }
 
-  /// Hits of every structure at Exact are those of CGAL: the same primitives in the same order, and t within the
-  /// promise.
+  /// Hits of every structure at Exact are those of CGAL: the same primitives in the same order, and
+  /// t within the promise.
   static void compare(const Scene& scene, const Rays& rays)
   {
     AllHits truth;
@@ -195,9 +196,9 @@ TEST_F(GroundTruth, FastAgreesOnOrdinaryRays)
 
 TEST_F(GroundTruth, AHitBeyondTheRangeOfDoublesIsAMiss)
 {
-  const auto surface = surfaceOf<double>(std::vector<std::array<Vec3, 3>>{
-    { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } },
-    { Vec3{ 0, 0, -4 }, Vec3{ 1, 0, -4 }, Vec3{ 0, 1, -4 } } });
+  const auto surface = surfaceOf<double>(
+    std::vector<std::array<Vec3, 3>>{ { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } },
+      { Vec3{ 0, 0, -4 }, Vec3{ 1, 0, -4 }, Vec3{ 0, 1, -4 } } });
   std::vector<std::shared_ptr<const Accelerator>> all = accelerators(surface);
   all.push_back(cgal(surface));
   for (const auto& accelerator : all)
@@ -315,10 +316,10 @@ TEST_F(GroundTruth, CgalStopsWhenTold)
 TEST_F(GroundTruth, CgalShowsOneNodeAndKeepsBadTrianglesOut)
 {
   const double nan = std::nan("");
-  const auto surface = surfaceOf<double>(std::vector<std::array<Vec3, 3>>{
-    { Vec3{ nan, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
-    { Vec3{ 0, 0, 0 }, Vec3{ 1, 1, 0 }, Vec3{ 2, 2, 0 } },
-    { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } } });
+  const auto surface = surfaceOf<double>(
+    std::vector<std::array<Vec3, 3>>{ { Vec3{ nan, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
+      { Vec3{ 0, 0, 0 }, Vec3{ 1, 1, 0 }, Vec3{ 2, 2, 0 } },
+      { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } } });
   const auto truth = cgal(surface);
   const HierarchyView view = truth->hierarchy();
   ASSERT_EQ(view.nodes.size(), 1u);
@@ -329,7 +330,8 @@ TEST_F(GroundTruth, CgalShowsOneNodeAndKeepsBadTrianglesOut)
   EXPECT_EQ(closestOf(*truth, { { 0.25, 0.25, 0 }, { 0, 0, 1 } }, Precision::Exact).primitive, 2u);
 
   const auto empty = cgal(surfaceOf<float>(std::vector<std::array<Vec3, 3>>{}));
-  EXPECT_EQ(closestOf(*empty, { { 0, 0, 0 }, { 0, 0, 1 } }, Precision::Exact).primitive, noPrimitive);
+  EXPECT_EQ(
+    closestOf(*empty, { { 0, 0, 0 }, { 0, 0, 1 } }, Precision::Exact).primitive, noPrimitive);
 }
 
 } // namespace

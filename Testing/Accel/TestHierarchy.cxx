@@ -54,120 +54,131 @@ bool contains(const Box& outer, const Box& inner)
 
 TEST(Hierarchy, ParentsComeFirstAndContainTheirChildren)
 {
-  forEverything([](const Accelerator& accelerator) {
-    const HierarchyView view = accelerator.hierarchy();
-    ASSERT_FALSE(view.nodes.empty());
-    EXPECT_EQ(view.nodes[0].parent, -1);
-    EXPECT_EQ(view.nodes[0].depth, 0);
-    std::vector<int> children(view.nodes.size(), 0);
-    for (std::size_t i = 1; i < view.nodes.size(); ++i)
+  forEverything(
+    [](const Accelerator& accelerator)
     {
-      const HierarchyNode& node = view.nodes[i];
-      ASSERT_GE(node.parent, 0);
-      ASSERT_LT(node.parent, static_cast<std::int64_t>(i));
-      const HierarchyNode& parent = view.nodes[static_cast<std::size_t>(node.parent)];
-      ASSERT_FALSE(parent.leaf);
-      ASSERT_EQ(node.depth, parent.depth + 1);
-      // What holds nothing may show an empty box.
-      ASSERT_TRUE(node.box.empty() || contains(parent.box, node.box)) << "node " << i;
-      ++children[static_cast<std::size_t>(node.parent)];
-    }
-    for (std::size_t i = 0; i < view.nodes.size(); ++i)
-    {
-      ASSERT_EQ(view.nodes[i].leaf, children[i] == 0) << "node " << i;
-      ASSERT_LE(view.nodes[i].splitAxis, 2);
-    }
-  });
+      const HierarchyView view = accelerator.hierarchy();
+      ASSERT_FALSE(view.nodes.empty());
+      EXPECT_EQ(view.nodes[0].parent, -1);
+      EXPECT_EQ(view.nodes[0].depth, 0);
+      std::vector<int> children(view.nodes.size(), 0);
+      for (std::size_t i = 1; i < view.nodes.size(); ++i)
+      {
+        const HierarchyNode& node = view.nodes[i];
+        ASSERT_GE(node.parent, 0);
+        ASSERT_LT(node.parent, static_cast<std::int64_t>(i));
+        const HierarchyNode& parent = view.nodes[static_cast<std::size_t>(node.parent)];
+        ASSERT_FALSE(parent.leaf);
+        ASSERT_EQ(node.depth, parent.depth + 1);
+        // What holds nothing may show an empty box.
+        ASSERT_TRUE(node.box.empty() || contains(parent.box, node.box)) << "node " << i;
+        ++children[static_cast<std::size_t>(node.parent)];
+      }
+      for (std::size_t i = 0; i < view.nodes.size(); ++i)
+      {
+        ASSERT_EQ(view.nodes[i].leaf, children[i] == 0) << "node " << i;
+        ASSERT_LE(view.nodes[i].splitAxis, 2);
+      }
+    });
 }
 
 TEST(Hierarchy, EveryPrimitiveThatCanBeHitIsReferencedAndNoOther)
 {
-  forEverything([](const Accelerator& accelerator) {
-    const HierarchyView view = accelerator.hierarchy();
-    std::set<PrimitiveId> found;
-    std::size_t references = 0;
-    for (const HierarchyNode& node : view.nodes)
+  forEverything(
+    [](const Accelerator& accelerator)
     {
-      if (node.leaf)
+      const HierarchyView view = accelerator.hierarchy();
+      std::set<PrimitiveId> found;
+      std::size_t references = 0;
+      for (const HierarchyNode& node : view.nodes)
       {
-        ASSERT_LE(node.firstReference + node.referenceCount, view.references.size());
-        references += node.referenceCount;
-        for (std::uint32_t r = 0; r < node.referenceCount; ++r)
+        if (node.leaf)
         {
-          found.insert(view.references[node.firstReference + r]);
+          ASSERT_LE(node.firstReference + node.referenceCount, view.references.size());
+          references += node.referenceCount;
+          for (std::uint32_t r = 0; r < node.referenceCount; ++r)
+          {
+            found.insert(view.references[node.firstReference + r]);
+          }
         }
       }
-    }
-    EXPECT_EQ(references, view.references.size());
-    const auto& hittable = accelerator.surface().hittable();
-    EXPECT_EQ(std::vector<PrimitiveId>(found.begin(), found.end()), hittable);
-    EXPECT_EQ(view.nodes[0].referenceCount, view.references.size());
-  });
+      EXPECT_EQ(references, view.references.size());
+      const auto& hittable = accelerator.surface().hittable();
+      EXPECT_EQ(std::vector<PrimitiveId>(found.begin(), found.end()), hittable);
+      EXPECT_EQ(view.nodes[0].referenceCount, view.references.size());
+    });
 }
 
 TEST(Hierarchy, LeavesMeetThePrimitivesTheyHold)
 {
-  forEverything([](const Accelerator& accelerator) {
-    const HierarchyView view = accelerator.hierarchy();
-    for (const HierarchyNode& node : view.nodes)
+  forEverything(
+    [](const Accelerator& accelerator)
     {
-      for (std::uint32_t r = 0; node.leaf && r < node.referenceCount; ++r)
+      const HierarchyView view = accelerator.hierarchy();
+      for (const HierarchyNode& node : view.nodes)
       {
-        const Box box = accelerator.surface().box(view.references[node.firstReference + r]);
-        for (int k = 0; k < 3; ++k)
+        for (std::uint32_t r = 0; node.leaf && r < node.referenceCount; ++r)
         {
-          ASSERT_LE(box.lower[k], node.box.upper[k]);
-          ASSERT_GE(box.upper[k], node.box.lower[k]);
+          const Box box = accelerator.surface().box(view.references[node.firstReference + r]);
+          for (int k = 0; k < 3; ++k)
+          {
+            ASSERT_LE(box.lower[k], node.box.upper[k]);
+            ASSERT_GE(box.upper[k], node.box.lower[k]);
+          }
         }
       }
-    }
-  });
+    });
 }
 
 TEST(Hierarchy, StatisticsDescribeTheNodes)
 {
-  forEverything([](const Accelerator& accelerator) {
-    const HierarchyView view = accelerator.hierarchy();
-    const BuildStatistics& s = accelerator.statistics();
-    EXPECT_EQ(s.nodes, view.nodes.size());
-    std::size_t leaves = 0;
-    int depth = 0;
-    double cost = 0.0;
-    double stated = 0.0;
-    const double rootArea = view.nodes[0].box.area();
-    for (const HierarchyNode& node : view.nodes)
+  forEverything(
+    [](const Accelerator& accelerator)
     {
-      leaves += node.leaf ? 1 : 0;
-      depth = std::max(depth, static_cast<int>(node.depth));
-      stated += node.cost;
-      cost += rootArea > 0.0 ? node.box.area() / rootArea * (node.leaf ? node.referenceCount : 1) : 0.0;
-    }
-    EXPECT_EQ(s.leaves, leaves);
-    EXPECT_EQ(s.depth, depth);
-    EXPECT_NEAR(s.sahCost, stated, 1e-12 * stated);
-    // A BSP-tree's cells are smaller than the boxes that bound them.
-    if (accelerator.options().structure != Structure::BspTree)
-    {
-      EXPECT_NEAR(s.sahCost, cost, 1e-9 * cost);
-    }
-    EXPECT_EQ(s.references, view.references.size());
-    const std::size_t hittable = accelerator.surface().hittable().size();
-    EXPECT_DOUBLE_EQ(
-      s.duplication, hittable == 0 ? 1.0 : static_cast<double>(s.references) / static_cast<double>(hittable));
-    EXPECT_GE(s.duplication, 1.0);
-    EXPECT_GE(s.buildSeconds, 0.0);
-    if (accelerator.options().structure != Structure::BruteForce && hittable > 0)
-    {
-      EXPECT_GT(s.memory, 0u);
-    }
-  });
+      const HierarchyView view = accelerator.hierarchy();
+      const BuildStatistics& s = accelerator.statistics();
+      EXPECT_EQ(s.nodes, view.nodes.size());
+      std::size_t leaves = 0;
+      int depth = 0;
+      double cost = 0.0;
+      double stated = 0.0;
+      const double rootArea = view.nodes[0].box.area();
+      for (const HierarchyNode& node : view.nodes)
+      {
+        leaves += node.leaf ? 1 : 0;
+        depth = std::max(depth, static_cast<int>(node.depth));
+        stated += node.cost;
+        cost +=
+          rootArea > 0.0 ? node.box.area() / rootArea * (node.leaf ? node.referenceCount : 1) : 0.0;
+      }
+      EXPECT_EQ(s.leaves, leaves);
+      EXPECT_EQ(s.depth, depth);
+      EXPECT_NEAR(s.sahCost, stated, 1e-12 * stated);
+      // A BSP-tree's cells are smaller than the boxes that bound them.
+      if (accelerator.options().structure != Structure::BspTree)
+      {
+        EXPECT_NEAR(s.sahCost, cost, 1e-9 * cost);
+      }
+      EXPECT_EQ(s.references, view.references.size());
+      const std::size_t hittable = accelerator.surface().hittable().size();
+      EXPECT_DOUBLE_EQ(s.duplication,
+        hittable == 0 ? 1.0 : static_cast<double>(s.references) / static_cast<double>(hittable));
+      EXPECT_GE(s.duplication, 1.0);
+      EXPECT_GE(s.buildSeconds, 0.0);
+      if (accelerator.options().structure != Structure::BruteForce && hittable > 0)
+      {
+        EXPECT_GT(s.memory, 0u);
+      }
+    });
 }
 
 TEST(Hierarchy, BetterBuildsCostLess)
 {
   const auto& teapot = surfaces().front();
-  const double median = build(teapot, optionsOf(Structure::Bvh, BvhBuild::LongestAxisMedian))->statistics().sahCost;
-  const double sah = build(teapot, optionsOf(Structure::Bvh, BvhBuild::BinnedSah))->statistics().sahCost;
+  const double median =
+    build(teapot, optionsOf(Structure::Bvh, BvhBuild::LongestAxisMedian))->statistics().sahCost;
+  const double sah =
+    build(teapot, optionsOf(Structure::Bvh, BvhBuild::BinnedSah))->statistics().sahCost;
   const double brute = build(teapot, optionsOf(Structure::BruteForce))->statistics().sahCost;
   EXPECT_LT(sah, median);
   EXPECT_LT(median, brute);
@@ -175,7 +186,8 @@ TEST(Hierarchy, BetterBuildsCostLess)
 }
 
 /// The four queries, one after the other.
-void askAll(const Accelerator& accelerator, const RayBatch& batch, const QueryOptions& options, int query)
+void askAll(
+  const Accelerator& accelerator, const RayBatch& batch, const QueryOptions& options, int query)
 {
   std::vector<Hit> hits(batch.size);
   std::vector<std::uint8_t> any(batch.size);
@@ -200,101 +212,106 @@ void askAll(const Accelerator& accelerator, const RayBatch& batch, const QueryOp
 
 TEST(Counters, NodesPerRayAndVisitsPerNodeAreOneSum)
 {
-  forEverything([](const Accelerator& accelerator) {
-    if (accelerator.surface().size() == 0)
+  forEverything(
+    [](const Accelerator& accelerator)
     {
-      return;
-    }
-    const Rays rays = raysAround(accelerator.surface(), 1500, 5);
-    const HierarchyView view = accelerator.hierarchy();
-    for (const Precision precision : everyPrecision)
-    {
-      for (int query = 0; query < queryKindCount; ++query)
+      if (accelerator.surface().size() == 0)
       {
-        SCOPED_TRACE(std::string(name(precision)) + ", query " + std::to_string(query));
-        std::vector<RayCounters> perRay(rays.size());
-        std::vector<std::uint64_t> perNode(view.nodes.size());
-        QueryOptions options = with(precision);
-        options.perRay = perRay.data();
-        options.perNode = perNode.data();
-        askAll(accelerator, rays.batch(), options, query);
-        std::uint64_t nodes = 0;
-        std::uint64_t leaves = 0;
-        std::uint64_t primitives = 0;
-        for (const RayCounters& c : perRay)
+        return;
+      }
+      const Rays rays = raysAround(accelerator.surface(), 1500, 5);
+      const HierarchyView view = accelerator.hierarchy();
+      for (const Precision precision : everyPrecision)
+      {
+        for (int query = 0; query < queryKindCount; ++query)
         {
-          nodes += c.nodes;
-          leaves += c.leaves;
-          primitives += c.primitives;
-        }
-        EXPECT_EQ(nodes, std::accumulate(perNode.begin(), perNode.end(), std::uint64_t{ 0 }));
-        EXPECT_GT(primitives, 0u);
-        if (accelerator.options().structure != Structure::Grid)
-        {
-          std::uint64_t leafVisits = 0;
-          std::uint64_t held = 0;
-          for (std::size_t i = 0; i < view.nodes.size(); ++i)
+          SCOPED_TRACE(std::string(name(precision)) + ", query " + std::to_string(query));
+          std::vector<RayCounters> perRay(rays.size());
+          std::vector<std::uint64_t> perNode(view.nodes.size());
+          QueryOptions options = with(precision);
+          options.perRay = perRay.data();
+          options.perNode = perNode.data();
+          askAll(accelerator, rays.batch(), options, query);
+          std::uint64_t nodes = 0;
+          std::uint64_t leaves = 0;
+          std::uint64_t primitives = 0;
+          for (const RayCounters& c : perRay)
           {
-            leafVisits += view.nodes[i].leaf && view.nodes[i].referenceCount > 0 ? perNode[i] : 0;
-            held += view.nodes[i].leaf ? perNode[i] * view.nodes[i].referenceCount : 0;
-            // Who enters a node has entered its parent.
-            ASSERT_TRUE(perNode[i] == 0 || view.nodes[i].parent < 0 ||
-              perNode[static_cast<std::size_t>(view.nodes[i].parent)] > 0);
+            nodes += c.nodes;
+            leaves += c.leaves;
+            primitives += c.primitives;
           }
-          EXPECT_LE(leaves, leafVisits);
-          EXPECT_LE(primitives, held);
+          EXPECT_EQ(nodes, std::accumulate(perNode.begin(), perNode.end(), std::uint64_t{ 0 }));
+          EXPECT_GT(primitives, 0u);
+          if (accelerator.options().structure != Structure::Grid)
+          {
+            std::uint64_t leafVisits = 0;
+            std::uint64_t held = 0;
+            for (std::size_t i = 0; i < view.nodes.size(); ++i)
+            {
+              leafVisits += view.nodes[i].leaf && view.nodes[i].referenceCount > 0 ? perNode[i] : 0;
+              held += view.nodes[i].leaf ? perNode[i] * view.nodes[i].referenceCount : 0;
+              // Who enters a node has entered its parent.
+              ASSERT_TRUE(perNode[i] == 0 || view.nodes[i].parent < 0 ||
+                perNode[static_cast<std::size_t>(view.nodes[i].parent)] > 0);
+            }
+            EXPECT_LE(leaves, leafVisits);
+            EXPECT_LE(primitives, held);
+          }
         }
       }
-    }
-  });
+    });
 }
 
 TEST(Counters, DoNotDependOnThreadsBatchesOrBeingAsked)
 {
-  forEverything([](const Accelerator& accelerator) {
-    if (accelerator.surface().size() == 0)
+  forEverything(
+    [](const Accelerator& accelerator)
     {
-      return;
-    }
-    const Rays rays = raysAround(accelerator.surface(), 2500, 6);
-    const std::size_t nodes = accelerator.statistics().nodes;
-    std::vector<Hit> uncounted(rays.size());
-    accelerator.closest(rays.batch(), uncounted.data(), with(Precision::Exact));
+      if (accelerator.surface().size() == 0)
+      {
+        return;
+      }
+      const Rays rays = raysAround(accelerator.surface(), 2500, 6);
+      const std::size_t nodes = accelerator.statistics().nodes;
+      std::vector<Hit> uncounted(rays.size());
+      accelerator.closest(rays.batch(), uncounted.data(), with(Precision::Exact));
 
-    const auto counted = [&](int threads, std::size_t step) {
-      std::vector<RayCounters> perRay(rays.size());
-      std::vector<std::uint64_t> perNode(nodes);
-      std::vector<Hit> hits(rays.size());
-      for (std::size_t first = 0; first < rays.size(); first += step)
+      const auto counted = [&](int threads, std::size_t step)
       {
-        RayBatch part = rays.batch();
-        part.size = std::min(step, rays.size() - first);
-        part.origins = ArrayView(rays.origins.data() + 3 * first);
-        part.directions = ArrayView(rays.directions.data() + 3 * first);
-        part.tMins = ArrayView(rays.tMins.data() + first);
-        part.tMaxs = ArrayView(rays.tMaxs.data() + first);
-        QueryOptions options = with(Precision::Exact);
-        options.threads = threads;
-        options.perRay = perRay.data() + first;
-        options.perNode = perNode.data();
-        accelerator.closest(part, hits.data() + first, options);
-      }
-      for (std::size_t i = 0; i < hits.size(); ++i)
-      {
-        EXPECT_TRUE(sameBits(hits[i], uncounted[i])) << "ray " << i;
-      }
-      std::vector<std::uint64_t> all(perNode);
-      for (const RayCounters& c : perRay)
-      {
-        all.insert(all.end(), { c.nodes, c.cells, c.leaves, c.primitives });
-      }
-      return all;
-    };
-    const auto wanted = counted(1, rays.size());
-    EXPECT_EQ(counted(2, rays.size()), wanted);
-    EXPECT_EQ(counted(4, rays.size()), wanted);
-    EXPECT_EQ(counted(1, 100), wanted);
-  });
+        std::vector<RayCounters> perRay(rays.size());
+        std::vector<std::uint64_t> perNode(nodes);
+        std::vector<Hit> hits(rays.size());
+        for (std::size_t first = 0; first < rays.size(); first += step)
+        {
+          RayBatch part = rays.batch();
+          part.size = std::min(step, rays.size() - first);
+          part.origins = ArrayView(rays.origins.data() + 3 * first);
+          part.directions = ArrayView(rays.directions.data() + 3 * first);
+          part.tMins = ArrayView(rays.tMins.data() + first);
+          part.tMaxs = ArrayView(rays.tMaxs.data() + first);
+          QueryOptions options = with(Precision::Exact);
+          options.threads = threads;
+          options.perRay = perRay.data() + first;
+          options.perNode = perNode.data();
+          accelerator.closest(part, hits.data() + first, options);
+        }
+        for (std::size_t i = 0; i < hits.size(); ++i)
+        {
+          EXPECT_TRUE(sameBits(hits[i], uncounted[i])) << "ray " << i;
+        }
+        std::vector<std::uint64_t> all(perNode);
+        for (const RayCounters& c : perRay)
+        {
+          all.insert(all.end(), { c.nodes, c.cells, c.leaves, c.primitives });
+        }
+        return all;
+      };
+      const auto wanted = counted(1, rays.size());
+      EXPECT_EQ(counted(2, rays.size()), wanted);
+      EXPECT_EQ(counted(4, rays.size()), wanted);
+      EXPECT_EQ(counted(1, 100), wanted);
+    });
 }
 
 TEST(Counters, VisitsAreAddedToWhatIsThere)
@@ -319,7 +336,8 @@ TEST(Counters, ATreeSavesWork)
 {
   const auto& teapot = surfaces().front();
   const Rays rays = raysAround(*teapot, 500, 8);
-  const auto tests = [&](const BuildOptions& options) {
+  const auto tests = [&](const BuildOptions& options)
+  {
     const auto accelerator = build(teapot, options);
     std::vector<RayCounters> perRay(rays.size());
     std::vector<Hit> hits(rays.size());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits whatever the host's rounding mode, the number of threads, the order and size of batches, the type of the
-// ray arrays; and rays that are not valid.
+// The same bits whatever the host's rounding mode, the number of threads, the order and size of
+// batches, the type of the ray arrays; and rays that are not valid.
 #include "TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -113,35 +113,37 @@ std::shared_ptr<const Surface> subnormalSphere(double radius)
 void sameUnderAnyHost(const std::shared_ptr<const Surface>& surface, const Rays& rays,
   const std::function<std::shared_ptr<const Surface>()>& again)
 {
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    const Answers wanted = ask(*build(surface, options), rays.batch(), with(precision));
-    for (const int state : { 1, 2, 3 })
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
     {
-      SCOPED_TRACE(state);
-      Answers found;
+      const Answers wanted = ask(*build(surface, options), rays.batch(), with(precision));
+      for (const int state : { 1, 2, 3 })
       {
-        Host host;
-        if (state & 1)
+        SCOPED_TRACE(state);
+        Answers found;
         {
-          host.roundUpward();
+          Host host;
+          if (state & 1)
+          {
+            host.roundUpward();
+          }
+          if (state & 2)
+          {
+            host.flushSubnormals();
+          }
+          const int rounding = std::fegetround();
+          const auto built = build(again(), options);
+          found = ask(*built, rays.batch(), with(precision));
+          QueryOptions threaded = with(precision);
+          threaded.threads = 3;
+          std::vector<Hit> hits(rays.size());
+          built->closest(rays.batch(), hits.data(), threaded);
+          EXPECT_EQ(std::fegetround(), rounding) << "the host's mode is restored";
+          found.closest = hits;
         }
-        if (state & 2)
-        {
-          host.flushSubnormals();
-        }
-        const int rounding = std::fegetround();
-        const auto built = build(again(), options);
-        found = ask(*built, rays.batch(), with(precision));
-        QueryOptions threaded = with(precision);
-        threaded.threads = 3;
-        std::vector<Hit> hits(rays.size());
-        built->closest(rays.batch(), hits.data(), threaded);
-        EXPECT_EQ(std::fegetround(), rounding) << "the host's mode is restored";
-        found.closest = hits;
+        expectSame(wanted, found);
       }
-      expectSame(wanted, found);
-    }
-  });
+    });
 }
 
 TEST(Numbers, TheHostsFloatingPointModeDoesNotMatter)
@@ -159,28 +161,30 @@ TEST(Numbers, NorDoesItForSubnormalCoordinates)
     [&] { return std::make_shared<const Surface>(*doubles); });
   const auto floats = subnormalSphere<float>(0x1p-130);
   ASSERT_EQ(floats->hittable().size(), 80u);
-  sameUnderAnyHost(floats, raysAround(*floats, 24, 6),
-    [&] { return std::make_shared<const Surface>(*floats); });
+  sameUnderAnyHost(
+    floats, raysAround(*floats, 24, 6), [&] { return std::make_shared<const Surface>(*floats); });
 }
 
 TEST(Numbers, TheNumberOfThreadsDoesNotMatter)
 {
   const auto surface = surfaceOf<float>(data::torus(48, 24, 0.3));
   const Rays rays = raysAround(*surface, 5000, 8);
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    if (options.structure == Structure::BruteForce)
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
     {
-      return;
-    }
-    const auto accelerator = build(surface, options);
-    const Answers wanted = ask(*accelerator, rays.batch(), with(precision));
-    for (const int threads : { 0, 2, 3, 4 })
-    {
-      QueryOptions query = with(precision);
-      query.threads = threads;
-      expectSame(wanted, ask(*accelerator, rays.batch(), query));
-    }
-  });
+      if (options.structure == Structure::BruteForce)
+      {
+        return;
+      }
+      const auto accelerator = build(surface, options);
+      const Answers wanted = ask(*accelerator, rays.batch(), with(precision));
+      for (const int threads : { 0, 2, 3, 4 })
+      {
+        QueryOptions query = with(precision);
+        query.threads = threads;
+        expectSame(wanted, ask(*accelerator, rays.batch(), query));
+      }
+    });
 }
 
 TEST(Numbers, TheOrderAndSizeOfBatchesDoNotMatter)
@@ -195,39 +199,42 @@ TEST(Numbers, TheOrderAndSizeOfBatchesDoNotMatter)
   {
     shuffled.add(rays.batch()[i]);
   }
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    if (options.structure == Structure::BruteForce)
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
     {
-      return;
-    }
-    const auto accelerator = build(surface, options);
-    std::vector<Hit> wanted(rays.size());
-    accelerator->closest(rays.batch(), wanted.data(), with(precision));
-
-    std::vector<Hit> hits(rays.size());
-    accelerator->closest(shuffled.batch(), hits.data(), with(precision));
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-      ASSERT_TRUE(sameBits(hits[i], wanted[order[i]])) << "ray " << order[i];
-    }
-    for (const std::size_t size : { std::size_t{ 1 }, std::size_t{ 7 }, std::size_t{ 333 } })
-    {
-      for (std::size_t first = 0; first < std::min<std::size_t>(rays.size(), 60 * size); first += size)
+      if (options.structure == Structure::BruteForce)
       {
-        RayBatch part = rays.batch();
-        part.size = std::min(size, rays.size() - first);
-        part.origins = ArrayView(rays.origins.data() + 3 * first);
-        part.directions = ArrayView(rays.directions.data() + 3 * first);
-        part.tMins = ArrayView(rays.tMins.data() + first);
-        part.tMaxs = ArrayView(rays.tMaxs.data() + first);
-        accelerator->closest(part, hits.data() + first, with(precision));
-        for (std::size_t i = first; i < first + part.size; ++i)
+        return;
+      }
+      const auto accelerator = build(surface, options);
+      std::vector<Hit> wanted(rays.size());
+      accelerator->closest(rays.batch(), wanted.data(), with(precision));
+
+      std::vector<Hit> hits(rays.size());
+      accelerator->closest(shuffled.batch(), hits.data(), with(precision));
+      for (std::size_t i = 0; i < hits.size(); ++i)
+      {
+        ASSERT_TRUE(sameBits(hits[i], wanted[order[i]])) << "ray " << order[i];
+      }
+      for (const std::size_t size : { std::size_t{ 1 }, std::size_t{ 7 }, std::size_t{ 333 } })
+      {
+        for (std::size_t first = 0; first < std::min<std::size_t>(rays.size(), 60 * size);
+             first += size)
         {
-          ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+          RayBatch part = rays.batch();
+          part.size = std::min(size, rays.size() - first);
+          part.origins = ArrayView(rays.origins.data() + 3 * first);
+          part.directions = ArrayView(rays.directions.data() + 3 * first);
+          part.tMins = ArrayView(rays.tMins.data() + first);
+          part.tMaxs = ArrayView(rays.tMaxs.data() + first);
+          accelerator->closest(part, hits.data() + first, with(precision));
+          for (std::size_t i = first; i < first + part.size; ++i)
+          {
+            ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+          }
         }
       }
-    }
-  });
+    });
 }
 
 TEST(Numbers, FloatRaysAreTheDoublesTheyStandFor)
@@ -250,12 +257,14 @@ TEST(Numbers, FloatRaysAreTheDoublesTheyStandFor)
   const std::vector<float> zeros(rays.size(), 0.0f);
   mixed.tMins = ArrayView(zeros.data());
   mixed.tMaxs = ArrayView();
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    const auto accelerator = build(surface, options);
-    const Answers wanted = ask(*accelerator, rays.batch(), with(precision));
-    expectSame(wanted, ask(*accelerator, floats, with(precision)));
-    expectSame(wanted, ask(*accelerator, mixed, with(precision)));
-  });
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
+    {
+      const auto accelerator = build(surface, options);
+      const Answers wanted = ask(*accelerator, rays.batch(), with(precision));
+      expectSame(wanted, ask(*accelerator, floats, with(precision)));
+      expectSame(wanted, ask(*accelerator, mixed, with(precision)));
+    });
 }
 
 TEST(Numbers, RaysThatAreNotValidHitNothingAndAreCounted)
@@ -280,35 +289,39 @@ TEST(Numbers, RaysThatAreNotValidHitNothingAndAreCounted)
   rays.add(Ray{ o, d, infinity, -infinity });
   rays.add(o, d);
   const std::uint64_t invalid = rays.size() - 2;
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    const auto accelerator = build(surface, options);
-    std::vector<RayCounters> counters(rays.size(), RayCounters{ 9, 9, 9, 9 });
-    QueryOptions query = with(precision);
-    query.perRay = counters.data();
-    const Hit rubbish = { 1, 2, 3, 4 };
-    std::vector<Hit> hits(rays.size(), rubbish);
-    std::vector<std::uint8_t> any(rays.size(), 9);
-    std::vector<std::uint32_t> counts(rays.size(), 9);
-    AllHits all;
-    EXPECT_EQ(accelerator->closest(rays.batch(), hits.data(), query).invalidRays, invalid);
-    EXPECT_EQ(accelerator->any(rays.batch(), any.data(), query).invalidRays, invalid);
-    EXPECT_EQ(accelerator->count(rays.batch(), counts.data(), query).invalidRays, invalid);
-    EXPECT_EQ(accelerator->all(rays.batch(), all, query).invalidRays, invalid);
-    for (std::size_t i = 0; i < rays.size(); ++i)
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
     {
-      SCOPED_TRACE(i);
-      const bool valid = i == 0 || i + 1 == rays.size();
-      EXPECT_EQ(hits[i].primitive != noPrimitive, valid);
-      EXPECT_EQ(any[i], valid ? 1 : 0);
-      EXPECT_EQ(counts[i] > 0, valid);
-      EXPECT_EQ(all.offsets[i + 1] > all.offsets[i], valid);
-      if (!valid)
+      const auto accelerator = build(surface, options);
+      std::vector<RayCounters> counters(rays.size(), RayCounters{ 9, 9, 9, 9 });
+      QueryOptions query = with(precision);
+      query.perRay = counters.data();
+      const Hit rubbish = { 1, 2, 3, 4 };
+      std::vector<Hit> hits(rays.size(), rubbish);
+      std::vector<std::uint8_t> any(rays.size(), 9);
+      std::vector<std::uint32_t> counts(rays.size(), 9);
+      AllHits all;
+      EXPECT_EQ(accelerator->closest(rays.batch(), hits.data(), query).invalidRays, invalid);
+      EXPECT_EQ(accelerator->any(rays.batch(), any.data(), query).invalidRays, invalid);
+      EXPECT_EQ(accelerator->count(rays.batch(), counts.data(), query).invalidRays, invalid);
+      EXPECT_EQ(accelerator->all(rays.batch(), all, query).invalidRays, invalid);
+      for (std::size_t i = 0; i < rays.size(); ++i)
       {
-        EXPECT_TRUE(sameBits(hits[i], Hit{}));
-        EXPECT_EQ(counters[i].nodes + counters[i].cells + counters[i].leaves + counters[i].primitives, 0u);
+        SCOPED_TRACE(i);
+        const bool valid = i == 0 || i + 1 == rays.size();
+        EXPECT_EQ(hits[i].primitive != noPrimitive, valid);
+        EXPECT_EQ(any[i], valid ? 1 : 0);
+        EXPECT_EQ(counts[i] > 0, valid);
+        EXPECT_EQ(all.offsets[i + 1] > all.offsets[i], valid);
+        if (!valid)
+        {
+          EXPECT_TRUE(sameBits(hits[i], Hit{}));
+          EXPECT_EQ(
+            counters[i].nodes + counters[i].cells + counters[i].leaves + counters[i].primitives,
+            0u);
+        }
       }
-    }
-  });
+    });
 }
 
 TEST(Numbers, LimitsMayBeInfiniteNegativeOrEqual)
@@ -322,21 +335,27 @@ TEST(Numbers, LimitsMayBeInfiniteNegativeOrEqual)
     double tMin, tMax;
     std::size_t hits;
   };
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    const auto accelerator = build(surface, options);
-    for (const Limits& limits : std::vector<Limits>{ { 0, infinity, 1 }, { -infinity, infinity, 2 },
-           { -infinity, 0, 1 }, { -infinity, -infinity, 0 }, { infinity, infinity, 0 }, { -2, 0.5, 1 },
-           { -0.5, 0.5, 0 }, { 0, 0, 0 }, { -1e300, 1e300, 2 } })
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
     {
-      EXPECT_EQ(allOf(*accelerator, { o, d, limits.tMin, limits.tMax }, precision).size(), limits.hits)
-        << limits.tMin << " " << limits.tMax;
-      EXPECT_EQ(closestOf(*accelerator, { o, d, limits.tMin, limits.tMax }, precision).primitive != noPrimitive,
-        limits.hits > 0)
-        << limits.tMin << " " << limits.tMax;
-    }
-    const Hit back = closestOf(*accelerator, { o, d, -infinity, infinity }, precision);
-    EXPECT_LT(back.t, -0.9);
-  });
+      const auto accelerator = build(surface, options);
+      for (const Limits& limits :
+        std::vector<Limits>{ { 0, infinity, 1 }, { -infinity, infinity, 2 }, { -infinity, 0, 1 },
+          { -infinity, -infinity, 0 }, { infinity, infinity, 0 }, { -2, 0.5, 1 }, { -0.5, 0.5, 0 },
+          { 0, 0, 0 }, { -1e300, 1e300, 2 } })
+      {
+        EXPECT_EQ(
+          allOf(*accelerator, { o, d, limits.tMin, limits.tMax }, precision).size(), limits.hits)
+          << limits.tMin << " " << limits.tMax;
+        EXPECT_EQ(
+          closestOf(*accelerator, { o, d, limits.tMin, limits.tMax }, precision).primitive !=
+            noPrimitive,
+          limits.hits > 0)
+          << limits.tMin << " " << limits.tMax;
+      }
+      const Hit back = closestOf(*accelerator, { o, d, -infinity, infinity }, precision);
+      EXPECT_LT(back.t, -0.9);
+    });
 }
 
 TEST(Numbers, OneLimitForAllRaysIsTheSameAsOneEach)
@@ -350,24 +369,28 @@ TEST(Numbers, OneLimitForAllRaysIsTheSameAsOneEach)
   scalar.tMaxs = ArrayView();
   scalar.tMin = 0.25;
   scalar.tMax = 1.25;
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    const auto accelerator = build(surface, options);
-    expectSame(
-      ask(*accelerator, rays.batch(), with(precision)), ask(*accelerator, scalar, with(precision)));
-  });
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
+    {
+      const auto accelerator = build(surface, options);
+      expectSame(ask(*accelerator, rays.batch(), with(precision)),
+        ask(*accelerator, scalar, with(precision)));
+    });
 }
 
 TEST(Numbers, AnEmptyBatchIsAnswered)
 {
   const auto surface = surfaceOf<float>(data::sphere(2));
-  forEverything([&](const BuildOptions& options, Precision precision) {
-    const auto accelerator = build(surface, options);
-    AllHits all;
-    const QueryReport report = accelerator->all(RayBatch{}, all, with(precision));
-    EXPECT_TRUE(report.completed);
-    EXPECT_EQ(all.offsets, std::vector<std::uint64_t>{ 0 });
-    EXPECT_TRUE(accelerator->closest(RayBatch{}, nullptr, with(precision)).completed);
-  });
+  forEverything(
+    [&](const BuildOptions& options, Precision precision)
+    {
+      const auto accelerator = build(surface, options);
+      AllHits all;
+      const QueryReport report = accelerator->all(RayBatch{}, all, with(precision));
+      EXPECT_TRUE(report.completed);
+      EXPECT_EQ(all.offsets, std::vector<std::uint64_t>{ 0 });
+      EXPECT_TRUE(accelerator->closest(RayBatch{}, nullptr, with(precision)).completed);
+    });
 }
 
 } // namespace

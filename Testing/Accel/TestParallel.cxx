@@ -21,7 +21,8 @@ namespace
 
 TEST(Parallel, ChunksCoverTheRangeOnceAndDoNotDependOnThreads)
 {
-  for (const std::size_t n : { std::size_t{ 0 }, std::size_t{ 1 }, std::size_t{ 10 }, std::size_t{ 1001 } })
+  for (const std::size_t n :
+    { std::size_t{ 0 }, std::size_t{ 1 }, std::size_t{ 10 }, std::size_t{ 1001 } })
   {
     std::set<std::pair<std::size_t, std::size_t>> wanted;
     for (const int threads : { 1, 2, 4, 0 })
@@ -29,11 +30,13 @@ TEST(Parallel, ChunksCoverTheRangeOnceAndDoNotDependOnThreads)
       std::mutex mutex;
       std::set<std::pair<std::size_t, std::size_t>> chunks;
       std::size_t covered = 0;
-      EXPECT_TRUE(parallelFor(n, 10, threads, nullptr, [&](std::size_t begin, std::size_t end) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        chunks.insert({ begin, end });
-        covered += end - begin;
-      }));
+      EXPECT_TRUE(parallelFor(n, 10, threads, nullptr,
+        [&](std::size_t begin, std::size_t end)
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          chunks.insert({ begin, end });
+          covered += end - begin;
+        }));
       EXPECT_EQ(covered, n);
       if (threads == 1)
       {
@@ -52,7 +55,8 @@ TEST(Parallel, ProgressComesOnTheCallingThreadAndGrows)
     std::atomic<int> elsewhere{ 0 };
     std::vector<double> fractions;
     JobControl control;
-    control.onProgress = [&](double fraction) {
+    control.onProgress = [&](double fraction)
+    {
       if (std::this_thread::get_id() != caller)
       {
         ++elsewhere;
@@ -61,9 +65,9 @@ TEST(Parallel, ProgressComesOnTheCallingThreadAndGrows)
       fractions.push_back(fraction);
       return true;
     };
-    EXPECT_TRUE(parallelFor(200, 1, threads, &control, [](std::size_t, std::size_t) {
-      std::this_thread::sleep_for(std::chrono::microseconds(50));
-    }));
+    EXPECT_TRUE(parallelFor(200, 1, threads, &control,
+      [](std::size_t, std::size_t)
+      { std::this_thread::sleep_for(std::chrono::microseconds(50)); }));
     EXPECT_EQ(elsewhere, 0);
     ASSERT_FALSE(fractions.empty()) << threads;
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
@@ -79,18 +83,21 @@ TEST(Parallel, StopsWhenToldByEitherSide)
     JobControl told;
     told.onProgress = [](double) { return false; };
     std::atomic<int> chunks{ 0 };
-    EXPECT_FALSE(parallelFor(100000, 1, threads, &told, [&](std::size_t, std::size_t) { ++chunks; }));
+    EXPECT_FALSE(
+      parallelFor(100000, 1, threads, &told, [&](std::size_t, std::size_t) { ++chunks; }));
     EXPECT_LT(chunks, 100000);
     EXPECT_TRUE(told.stop);
 
     JobControl flagged;
     chunks = 0;
-    EXPECT_FALSE(parallelFor(100000, 1, threads, &flagged, [&](std::size_t, std::size_t) {
-      if (++chunks == 3)
+    EXPECT_FALSE(parallelFor(100000, 1, threads, &flagged,
+      [&](std::size_t, std::size_t)
       {
-        flagged.stop = true;
-      }
-    }));
+        if (++chunks == 3)
+        {
+          flagged.stop = true;
+        }
+      }));
     EXPECT_LT(chunks, 100000);
   }
   JobControl already;
@@ -103,7 +110,8 @@ TEST(Parallel, ExceptionsArriveAtTheCaller)
   for (const int threads : { 1, 2, 4 })
   {
     EXPECT_THROW(parallelFor(1000, 1, threads, nullptr,
-                   [](std::size_t begin, std::size_t) {
+                   [](std::size_t begin, std::size_t)
+                   {
                      if (begin == 500)
                      {
                        throw std::runtime_error("chunk 500");
@@ -142,14 +150,16 @@ TEST(Jobs, AStoppedQuerySaysSoAndTheRestAreMisses)
     options.control = &control;
     std::vector<Hit> hits(rays.size(), Hit{ 1, 2, 3, 4 });
     EXPECT_FALSE(accelerator->closest(rays.batch(), hits.data(), options).completed);
-    const auto found = std::count_if(hits.begin(), hits.end(), [](const Hit& h) { return h.primitive != noPrimitive; });
+    const auto found = std::count_if(
+      hits.begin(), hits.end(), [](const Hit& h) { return h.primitive != noPrimitive; });
     EXPECT_GT(found, 0);
     EXPECT_LT(found, 20000);
     EXPECT_TRUE(sameBits(hits.back(), Hit{}));
 
     JobControl patient;
     double last = 0.0;
-    patient.onProgress = [&](double fraction) {
+    patient.onProgress = [&](double fraction)
+    {
       last = fraction;
       return true;
     };

@@ -20,10 +20,12 @@ PointArray fourPoints()
 
 TEST(Surface, KeepsFloatsAndDoublesAsTheyAre)
 {
-  const Surface floats(PointArray::from(std::vector<float>{ 0.1f, 0, 0, 1, 0, 0, 0, 1, 0 }), { { 0, 1, 2 } });
+  const Surface floats(
+    PointArray::from(std::vector<float>{ 0.1f, 0, 0, 1, 0, 0, 0, 1, 0 }), { { 0, 1, 2 } });
   EXPECT_EQ(floats.scalar(), ArrayView::Scalar::Float);
   EXPECT_EQ(floats.point(0)[0], static_cast<double>(0.1f));
-  const Surface doubles(PointArray::from(std::vector<double>{ 0.1, 0, 0, 1, 0, 0, 0, 1, 0 }), { { 0, 1, 2 } });
+  const Surface doubles(
+    PointArray::from(std::vector<double>{ 0.1, 0, 0, 1, 0, 0, 0, 1, 0 }), { { 0, 1, 2 } });
   EXPECT_EQ(doubles.scalar(), ArrayView::Scalar::Double);
   EXPECT_EQ(doubles.point(0)[0], 0.1);
   EXPECT_EQ(doubles.bounds().upper, (Vec3{ 1, 1, 0 }));
@@ -32,13 +34,15 @@ TEST(Surface, KeepsFloatsAndDoublesAsTheyAre)
 
 TEST(Surface, UsesTheCallersMemoryAndKeepsItAlive)
 {
-  auto owner = std::make_shared<std::vector<float>>(std::vector<float>{ 0, 0, 0, 1, 0, 0, 0, 1, 0 });
+  auto owner =
+    std::make_shared<std::vector<float>>(std::vector<float>{ 0, 0, 0, 1, 0, 0, 0, 1, 0 });
   const std::weak_ptr<std::vector<float>> alive = owner;
   PointArray points;
   points.values = ArrayView(static_cast<const float*>(owner->data()));
   points.count = 3;
   points.owner = owner;
-  auto surface = std::make_shared<const Surface>(std::move(points), std::vector<Triangle>{ { 0, 1, 2 } });
+  auto surface =
+    std::make_shared<const Surface>(std::move(points), std::vector<Triangle>{ { 0, 1, 2 } });
   owner.reset();
   auto accelerator = build(surface);
   surface.reset();
@@ -71,14 +75,14 @@ TEST(Surface, RefusesWhatDoesNotFit)
 TEST(Surface, CountsWhatCannotBeHitAndKeepsTheNumbering)
 {
   const double nan = std::nan("");
-  const auto surface = surfaceOf<double>(std::vector<std::array<Vec3, 3>>{
-    { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
-    { Vec3{ 0, 0, 0 }, Vec3{ 1, 1, 1 }, Vec3{ 3, 3, 3 } },
-    { Vec3{ 0, 0, nan }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
-    { Vec3{ 0, 0, 0 }, Vec3{ 0, 0, 0 }, Vec3{ 0, 1, 0 } },
-    { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, HUGE_VAL }, Vec3{ 0, 1, 0 } },
-    { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1.1e300 }, Vec3{ 0, 1, 0 } },
-    { Vec3{ 5, 5, 5 }, Vec3{ 6, 5, 5 }, Vec3{ 5, 6, 5 } } });
+  const auto surface = surfaceOf<double>(
+    std::vector<std::array<Vec3, 3>>{ { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
+      { Vec3{ 0, 0, 0 }, Vec3{ 1, 1, 1 }, Vec3{ 3, 3, 3 } },
+      { Vec3{ 0, 0, nan }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
+      { Vec3{ 0, 0, 0 }, Vec3{ 0, 0, 0 }, Vec3{ 0, 1, 0 } },
+      { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, HUGE_VAL }, Vec3{ 0, 1, 0 } },
+      { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1.1e300 }, Vec3{ 0, 1, 0 } },
+      { Vec3{ 5, 5, 5 }, Vec3{ 6, 5, 5 }, Vec3{ 5, 6, 5 } } });
   EXPECT_EQ(surface->size(), 7u);
   EXPECT_EQ(surface->zeroAreaCount(), 2u);
   EXPECT_EQ(surface->nonFiniteCount(), 3u);
@@ -96,8 +100,8 @@ TEST(Surface, KnowsWherePrimitivesCameFrom)
   sources.cells = { 10, 10, 11, 0, 3 };
   sources.blocks = { { 0, 2 }, { 3, 4 }, { 3, 5 }, { 4, 9 } }; // flat index 4 has no primitive
   const Surface mapped(fourPoints(), std::vector<Triangle>(5, Triangle{ 0, 1, 2 }), sources);
-  const std::vector<std::pair<std::int64_t, std::int64_t>> wanted = { { 10, 2 }, { 10, 2 }, { 11, 2 }, { 0, 5 },
-    { 3, 9 } };
+  const std::vector<std::pair<std::int64_t, std::int64_t>> wanted = { { 10, 2 }, { 10, 2 },
+    { 11, 2 }, { 0, 5 }, { 3, 9 } };
   for (PrimitiveId i = 0; i < 5; ++i)
   {
     EXPECT_EQ(mapped.source(i).cell, wanted[i].first);

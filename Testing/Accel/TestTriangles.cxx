@@ -61,37 +61,40 @@ TEST(Triangles, BordersBelongToTheTriangleToTheLastUlp)
     { 0.5, down(0.0), false }, { 0.5, down(0.5), true }, { 0.5, up(0.5), false },
     { down(0.25), 0.75, true }, { up(0.25), 0.75, false }, { down(1.0), 0, true },
     { up(1.0), 0, false }, { 0.1, 0.9, false }, { 0.3, 0.7, false } };
-  forEvery({ unitTriangle }, exactOnly, [&](const Accelerator& accelerator, Precision precision) {
-    for (const Probe& p : probes)
+  forEvery({ unitTriangle }, exactOnly,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      for (const Vec3& direction : { Vec3{ 0, 0, 1 }, Vec3{ 0, 0, 3 } })
+      for (const Probe& p : probes)
       {
-        const Ray ray = { { p.x, p.y, -1 }, direction };
-        // 0.1 + 0.9 and 0.3 + 0.7 as stored are decided by their last bits: ask the rationals.
-        const bool inside = rationallyHits(ray, RationalCrossing(ray, unitTriangle));
-        if (p.x != 0.1 && p.x != 0.3)
+        for (const Vec3& direction : { Vec3{ 0, 0, 1 }, Vec3{ 0, 0, 3 } })
         {
-          EXPECT_EQ(inside, p.inside) << p.x << " " << p.y;
+          const Ray ray = { { p.x, p.y, -1 }, direction };
+          // 0.1 + 0.9 and 0.3 + 0.7 as stored are decided by their last bits: ask the rationals.
+          const bool inside = rationallyHits(ray, RationalCrossing(ray, unitTriangle));
+          if (p.x != 0.1 && p.x != 0.3)
+          {
+            EXPECT_EQ(inside, p.inside) << p.x << " " << p.y;
+          }
+          EXPECT_EQ(closestOf(accelerator, ray, precision).primitive != noPrimitive, inside)
+            << p.x << " " << p.y;
         }
-        EXPECT_EQ(closestOf(accelerator, ray, precision).primitive != noPrimitive, inside)
-          << p.x << " " << p.y;
       }
-    }
-  });
+    });
 }
 
 TEST(Triangles, WatertightNeverLosesTheBorder)
 {
   forEvery({ unitTriangle }, { Precision::Watertight },
-    [&](const Accelerator& accelerator, Precision precision) {
+    [&](const Accelerator& accelerator, Precision precision)
+    {
       for (int i = 0; i <= 64; ++i)
       {
         const double x = i / 64.0;
         for (const Vec3& target : { Vec3{ x, 0, 0 }, Vec3{ 0, x, 0 }, Vec3{ x, 1 - x, 0 } })
         {
           const Vec3 origin = { 0.3, 0.7, -3 };
-          EXPECT_NE(closestOf(accelerator, { origin, target - origin }, precision).primitive,
-            noPrimitive);
+          EXPECT_NE(
+            closestOf(accelerator, { origin, target - origin }, precision).primitive, noPrimitive);
         }
       }
     });
@@ -101,21 +104,27 @@ TEST(Triangles, ZeroAreaIsNeverHit)
 {
   const Vec3 p = { 0.25, 0.25, 0 };
   const std::vector<Corners> triangles = { { p, p, p }, { p, p, Vec3{ 1, 1, 0 } },
-    { Vec3{ 0, 0, 0 }, p, Vec3{ 0.5, 0.5, 0 } }, { Vec3{ 1, 0, 1 }, Vec3{ 2, 0, 1 }, Vec3{ 1, 1, 1 } } };
-  forEvery(triangles, allPrecisions, [&](const Accelerator& accelerator, Precision precision) {
-    EXPECT_EQ(accelerator.surface().zeroAreaCount(), 3u);
-    for (const Vec3& direction : { Vec3{ 0, 0, 1 }, Vec3{ 1, 1, 0 }, Vec3{ 1, 2, 3 } })
+    { Vec3{ 0, 0, 0 }, p, Vec3{ 0.5, 0.5, 0 } },
+    { Vec3{ 1, 0, 1 }, Vec3{ 2, 0, 1 }, Vec3{ 1, 1, 1 } } };
+  forEvery(triangles, allPrecisions,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      EXPECT_EQ(closestOf(accelerator, { p - direction, direction }, precision).primitive, noPrimitive);
-    }
-    EXPECT_EQ(closestOf(accelerator, { { 1.25, 0.25, 0 }, { 0, 0, 1 } }, precision).primitive, 3u);
-  });
+      EXPECT_EQ(accelerator.surface().zeroAreaCount(), 3u);
+      for (const Vec3& direction : { Vec3{ 0, 0, 1 }, Vec3{ 1, 1, 0 }, Vec3{ 1, 2, 3 } })
+      {
+        EXPECT_EQ(
+          closestOf(accelerator, { p - direction, direction }, precision).primitive, noPrimitive);
+      }
+      EXPECT_EQ(
+        closestOf(accelerator, { { 1.25, 0.25, 0 }, { 0, 0, 1 } }, precision).primitive, 3u);
+    });
 }
 
 TEST(Triangles, RayInThePlaneDoesNotHit)
 {
   forEvery({ unitTriangle }, { Precision::Fast, Precision::Exact },
-    [&](const Accelerator& accelerator, Precision precision) {
+    [&](const Accelerator& accelerator, Precision precision)
+    {
       for (const Ray& ray : { Ray{ { -1, 0.25, 0 }, { 1, 0, 0 } }, Ray{ { -1, 0, 0 }, { 1, 0, 0 } },
              Ray{ { -1, -1, 0 }, { 1, 1, 0 } }, Ray{ { 0.25, 0.25, 0 }, { 1, 2, 0 } },
              Ray{ { -1, 2, 0 }, { 1, -1, 0 } }, Ray{ { -1, 1, 0 }, { 1, 0, 0 } } })
@@ -147,7 +156,8 @@ TEST(Triangles, NeedleIsHitWithinItsWidth)
 {
   const double half = 0.5e-6;
   forEvery({ { Vec3{ 0, -half, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, half, 0 } } }, allPrecisions,
-    [&](const Accelerator& accelerator, Precision precision) {
+    [&](const Accelerator& accelerator, Precision precision)
+    {
       for (const double x : { 0.0, 0.25, 0.5, 0.9 })
       {
         for (const double side : { -1.0, 1.0 })
@@ -184,8 +194,8 @@ TEST(Triangles, NearlyParallelRaysAreExact)
       ASSERT_EQ(hit.primitive != noPrimitive, rationallyHits(ray, x));
       if (hit.primitive != noPrimitive)
       {
-        ASSERT_LE(static_cast<double>(abs(rational(hit.t) - x.t)),
-          static_cast<double>(abs(x.t)) * 0x1p-24);
+        ASSERT_LE(
+          static_cast<double>(abs(rational(hit.t) - x.t)), static_cast<double>(abs(x.t)) * 0x1p-24);
       }
     }
   }
@@ -197,17 +207,22 @@ TEST(Triangles, NearerOfTwoPlanesAnUlpApartWins)
     return Corners{ Vec3{ 0, 0, z }, Vec3{ 1, 0, z }, Vec3{ 0, 1, z } };
   };
   const double next = std::nextafter(1.0f, 2.0f);
-  forEvery({ at(next), at(1) }, allPrecisions, [](const Accelerator& a, Precision precision) {
-    EXPECT_EQ(closestOf(a, { { 0.25, 0.25, 0 }, { 0, 0, 1 } }, precision).primitive, 1u);
-    EXPECT_EQ(closestOf(a, { { 0.25, 0.25, 2 }, { 0, 0, -1 } }, precision).primitive, 0u);
-  });
+  forEvery({ at(next), at(1) }, allPrecisions,
+    [](const Accelerator& a, Precision precision)
+    {
+      EXPECT_EQ(closestOf(a, { { 0.25, 0.25, 0 }, { 0, 0, 1 } }, precision).primitive, 1u);
+      EXPECT_EQ(closestOf(a, { { 0.25, 0.25, 2 }, { 0, 0, -1 } }, precision).primitive, 0u);
+    });
   const auto surface = surfaceOf<double>(std::vector<Corners>{ at(up(1.0)), at(1) });
   for (const auto& accelerator : accelerators(surface))
   {
-    EXPECT_EQ(closestOf(*accelerator, { { 0.25, 0.25, -1 / 3.0 }, { 0.1, 0.1, 1 } },
-                Precision::Exact).primitive, 1u);
-    EXPECT_EQ(closestOf(*accelerator, { { 0.25, 0.25, 7 }, { 0.01, 0.01, -1 } },
-                Precision::Exact).primitive, 0u);
+    EXPECT_EQ(
+      closestOf(*accelerator, { { 0.25, 0.25, -1 / 3.0 }, { 0.1, 0.1, 1 } }, Precision::Exact)
+        .primitive,
+      1u);
+    EXPECT_EQ(closestOf(*accelerator, { { 0.25, 0.25, 7 }, { 0.01, 0.01, -1 } }, Precision::Exact)
+                .primitive,
+      0u);
   }
 }
 
@@ -222,16 +237,18 @@ TEST(Triangles, ObliquePlanesThatCrossOnTheRayTieToTheLowest)
   triangles.push_back({ Vec3{ -3, -3, -2 }, Vec3{ 3, -3, -2 }, Vec3{ 0, 3, 4 } });
   triangles.push_back({ Vec3{ -3, -3, -2 }, Vec3{ -3, 3, -2 }, Vec3{ 3, 0, 4 } });
   const Vec3 crossing = { 0, 0, 1 };
-  forEvery(triangles, exactOnly, [&](const Accelerator& accelerator, Precision precision) {
-    for (const Vec3& d : { Vec3{ 0, 0, 1 }, Vec3{ 0.125, -0.25, 1 }, Vec3{ 0.5, 0.25, 3 } })
+  forEvery(triangles, exactOnly,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      const auto hits = allOf(accelerator, { crossing - d, d }, precision);
-      ASSERT_GE(hits.size(), 2u);
-      EXPECT_EQ(hits[0].primitive, 7u);
-      EXPECT_EQ(hits[1].primitive, 8u);
-      EXPECT_EQ(hits[0].t, 1.0);
-    }
-  });
+      for (const Vec3& d : { Vec3{ 0, 0, 1 }, Vec3{ 0.125, -0.25, 1 }, Vec3{ 0.5, 0.25, 3 } })
+      {
+        const auto hits = allOf(accelerator, { crossing - d, d }, precision);
+        ASSERT_GE(hits.size(), 2u);
+        EXPECT_EQ(hits[0].primitive, 7u);
+        EXPECT_EQ(hits[1].primitive, 8u);
+        EXPECT_EQ(hits[0].t, 1.0);
+      }
+    });
 }
 
 TEST(Triangles, OfManyIdenticalTrianglesTheLowestWins)
@@ -245,21 +262,25 @@ TEST(Triangles, OfManyIdenticalTrianglesTheLowestWins)
     std::swap(c[1], c[1 + uniform.index(2)]);
     triangles.push_back(c);
   }
-  forEvery(triangles, allPrecisions, [](const Accelerator& accelerator, Precision precision) {
-    for (const Vec3& target : { Vec3{ 0.25, 0.25, 0 }, Vec3{ 0.5, 0.5, 0 }, Vec3{ 0, 0, 0 } })
+  forEvery(triangles, allPrecisions,
+    [](const Accelerator& accelerator, Precision precision)
     {
-      const Ray ray = { { target[0], target[1], 1 }, { 0, 0, -1 } };
-      EXPECT_EQ(closestOf(accelerator, ray, precision).primitive, 0u);
-      EXPECT_EQ(allOf(accelerator, ray, precision).size(), 1000u);
-    }
-  });
+      for (const Vec3& target : { Vec3{ 0.25, 0.25, 0 }, Vec3{ 0.5, 0.5, 0 }, Vec3{ 0, 0, 0 } })
+      {
+        const Ray ray = { { target[0], target[1], 1 }, { 0, 0, -1 } };
+        EXPECT_EQ(closestOf(accelerator, ray, precision).primitive, 0u);
+        EXPECT_EQ(allOf(accelerator, ray, precision).size(), 1000u);
+      }
+    });
 }
 
 TEST(Triangles, LimitsOfTBelongToTheSegment)
 {
   forEvery({ unitTriangle }, { Precision::Fast, Precision::Exact },
-    [](const Accelerator& accelerator, Precision precision) {
-      const auto hits = [&](double tMin, double tMax) {
+    [](const Accelerator& accelerator, Precision precision)
+    {
+      const auto hits = [&](double tMin, double tMax)
+      {
         const Hit hit =
           closestOf(accelerator, { { 0.25, 0.25, -1 }, { 0, 0, 1 }, tMin, tMax }, precision);
         return hit.primitive != noPrimitive && hit.t == 1.0;
@@ -275,61 +296,72 @@ TEST(Triangles, LimitsOfTBelongToTheSegment)
       EXPECT_FALSE(hits(-infinity, -infinity));
     });
   // Where t is no double, either side of it decides: t = 1/3.
-  forEvery({ unitTriangle }, exactOnly, [](const Accelerator& accelerator, Precision precision) {
-    const auto hits = [&](double tMin, double tMax) {
-      return closestOf(accelerator, { { 0.25, 0.25, -1 }, { 0, 0, 3 }, tMin, tMax }, precision)
-               .primitive != noPrimitive;
-    };
-    const double third = 1.0 / 3.0; // below the true third
-    EXPECT_TRUE(hits(third, 1));
-    EXPECT_FALSE(hits(up(third), 1));
-    EXPECT_FALSE(hits(0, third));
-    EXPECT_TRUE(hits(0, up(third)));
-  });
+  forEvery({ unitTriangle }, exactOnly,
+    [](const Accelerator& accelerator, Precision precision)
+    {
+      const auto hits = [&](double tMin, double tMax)
+      {
+        return closestOf(accelerator, { { 0.25, 0.25, -1 }, { 0, 0, 3 }, tMin, tMax }, precision)
+                 .primitive != noPrimitive;
+      };
+      const double third = 1.0 / 3.0; // below the true third
+      EXPECT_TRUE(hits(third, 1));
+      EXPECT_FALSE(hits(up(third), 1));
+      EXPECT_FALSE(hits(0, third));
+      EXPECT_TRUE(hits(0, up(third)));
+    });
 }
 
 TEST(Triangles, OriginOnTheTriangleHitsAtZero)
 {
-  forEvery({ unitTriangle }, allPrecisions, [](const Accelerator& accelerator, Precision precision) {
-    for (const Vec3& origin : { Vec3{ 0.25, 0.25, 0 }, Vec3{ 0, 0, 0 }, Vec3{ 0.5, 0.5, 0 } })
+  forEvery({ unitTriangle }, allPrecisions,
+    [](const Accelerator& accelerator, Precision precision)
     {
-      for (const Vec3& direction : { Vec3{ 0, 0, 1 }, Vec3{ 1, 2, -1 } })
+      for (const Vec3& origin : { Vec3{ 0.25, 0.25, 0 }, Vec3{ 0, 0, 0 }, Vec3{ 0.5, 0.5, 0 } })
       {
-        const Hit hit = closestOf(accelerator, { origin, direction }, precision);
-        EXPECT_EQ(hit.primitive, 0u);
-        EXPECT_EQ(hit.t, 0.0);
+        for (const Vec3& direction : { Vec3{ 0, 0, 1 }, Vec3{ 1, 2, -1 } })
+        {
+          const Hit hit = closestOf(accelerator, { origin, direction }, precision);
+          EXPECT_EQ(hit.primitive, 0u);
+          EXPECT_EQ(hit.t, 0.0);
+        }
       }
-    }
-  });
+    });
 }
 
 TEST(Triangles, NegativeLimitsReachBackward)
 {
-  forEvery({ unitTriangle }, allPrecisions, [](const Accelerator& accelerator, Precision precision) {
-    const Ray ray = { { 0.25, 0.25, 2 }, { 0, 0, 1 }, -4, 0 };
-    EXPECT_EQ(closestOf(accelerator, ray, precision).t, -2.0);
-    EXPECT_EQ(closestOf(accelerator, { ray.origin, ray.direction }, precision).primitive, noPrimitive);
-  });
+  forEvery({ unitTriangle }, allPrecisions,
+    [](const Accelerator& accelerator, Precision precision)
+    {
+      const Ray ray = { { 0.25, 0.25, 2 }, { 0, 0, 1 }, -4, 0 };
+      EXPECT_EQ(closestOf(accelerator, ray, precision).t, -2.0);
+      EXPECT_EQ(
+        closestOf(accelerator, { ray.origin, ray.direction }, precision).primitive, noPrimitive);
+    });
 }
 
 TEST(Triangles, TScalesWithTheDirection)
 {
-  forEvery({ unitTriangle }, allPrecisions, [](const Accelerator& accelerator, Precision precision) {
-    for (const double scale : { 0x1p-66, 0x1p-20, 1.0, 0x1p20, 0x1p66 })
+  forEvery({ unitTriangle }, allPrecisions,
+    [](const Accelerator& accelerator, Precision precision)
     {
-      const Ray ray = { { 0.3, 0.2, -1.7 }, scale * Vec3{ 0.01, 0.07, 0.9 } };
-      const Ray unit = { ray.origin, { 0.01, 0.07, 0.9 } };
-      const Hit expected = closestOf(accelerator, unit, precision);
-      ASSERT_EQ(expected.primitive, 0u);
-      EXPECT_EQ(closestOf(accelerator, ray, precision).t, expected.t / scale);
-    }
-  });
+      for (const double scale : { 0x1p-66, 0x1p-20, 1.0, 0x1p20, 0x1p66 })
+      {
+        const Ray ray = { { 0.3, 0.2, -1.7 }, scale * Vec3{ 0.01, 0.07, 0.9 } };
+        const Ray unit = { ray.origin, { 0.01, 0.07, 0.9 } };
+        const Hit expected = closestOf(accelerator, unit, precision);
+        ASSERT_EQ(expected.primitive, 0u);
+        EXPECT_EQ(closestOf(accelerator, ray, precision).t, expected.t / scale);
+      }
+    });
 }
 
 TEST(Triangles, DirectionsWithoutAFiniteReciprocalStillHit)
 {
   forEvery({ unitTriangle }, { Precision::Watertight, Precision::Exact },
-    [](const Accelerator& accelerator, Precision precision) {
+    [](const Accelerator& accelerator, Precision precision)
+    {
       for (const double z : { 0.0, 0x1p-60, 0x1p-10 })
       {
         const Ray ray = { { 0.25, 0.25, -z }, { 0, 0, 0x1p-1030 } };
@@ -343,18 +375,20 @@ TEST(Triangles, DirectionsWithoutAFiniteReciprocalStillHit)
 TEST(Triangles, BarycentricCoordinatesGiveTheHitPoint)
 {
   const Corners corners = { Vec3{ 1, 2, 3 }, Vec3{ 4, 1, 2 }, Vec3{ 2, 5, 4 } };
-  forEvery({ corners }, allPrecisions, [&](const Accelerator& accelerator, Precision precision) {
-    const Vec3 origin = { 0.5, 0.25, 9 };
-    for (const auto& [u, v] : std::vector<std::pair<double, double>>{ { 0.25, 0.5 }, { 0.1, 0.1 },
-           { 0.8, 0.1 } })
+  forEvery({ corners }, allPrecisions,
+    [&](const Accelerator& accelerator, Precision precision)
     {
-      const Vec3 point = (1 - u - v) * corners[0] + u * corners[1] + v * corners[2];
-      const Hit hit = closestOf(accelerator, { origin, 0.5 * (point - origin) }, precision);
-      EXPECT_NEAR(hit.t, 2.0, 1e-14);
-      EXPECT_NEAR(hit.u, u, 1e-14);
-      EXPECT_NEAR(hit.v, v, 1e-14);
-    }
-  });
+      const Vec3 origin = { 0.5, 0.25, 9 };
+      for (const auto& [u, v] :
+        std::vector<std::pair<double, double>>{ { 0.25, 0.5 }, { 0.1, 0.1 }, { 0.8, 0.1 } })
+      {
+        const Vec3 point = (1 - u - v) * corners[0] + u * corners[1] + v * corners[2];
+        const Hit hit = closestOf(accelerator, { origin, 0.5 * (point - origin) }, precision);
+        EXPECT_NEAR(hit.t, 2.0, 1e-14);
+        EXPECT_NEAR(hit.u, u, 1e-14);
+        EXPECT_NEAR(hit.v, v, 1e-14);
+      }
+    });
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No ray leaves a closed surface: rays exactly through vertices and edge midpoints, normalised directions to vertices and
-// random ones, from inside; at the origin and far from it, floats and doubles. And Exact names the lowest primitive of those
-// that share the point.
+// No ray leaves a closed surface: rays exactly through vertices and edge midpoints, normalised
+// directions to vertices and random ones, from inside; at the origin and far from it, floats and
+// doubles. And Exact names the lowest primitive of those that share the point.
 #include "TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Closed
   std::string name;
   std::shared_ptr<const Surface> surface;
   Vec3 offset;
-  double grid;       ///< coordinates are multiples of it; 0: full mantissas
+  double grid;        ///< coordinates are multiples of it; 0: full mantissas
   bool torus = false; ///< else a sphere
 };
 
@@ -45,12 +45,16 @@ data::Mesh scaled(data::Mesh mesh, double grid)
 
 const std::vector<Closed>& surfaces()
 {
-  static const std::vector<Closed> all = [] {
+  static const std::vector<Closed> all = []
+  {
     std::vector<Closed> made;
-    const auto add = [&](const std::string& name, bool torus, bool floats, const Vec3& offset, double grid) {
+    const auto add =
+      [&](const std::string& name, bool torus, bool floats, const Vec3& offset, double grid)
+    {
       const data::Mesh mesh = scaled(torus ? data::torus(96, 48, 0.3) : data::sphere(20), grid);
       made.push_back({ (torus ? "torus " : "sphere ") + name,
-        floats ? surfaceOf<float>(mesh, offset) : surfaceOf<double>(mesh, offset), offset, grid, torus });
+        floats ? surfaceOf<float>(mesh, offset) : surfaceOf<double>(mesh, offset), offset, grid,
+        torus });
     };
     for (const bool torus : { false, true })
     {
@@ -90,7 +94,8 @@ Rays rays(const Closed& c, Aim aim, std::size_t count)
   for (std::size_t i = 0; i < count; ++i)
   {
     const Vec3 o = inside(c, uniform);
-    const auto corners = c.surface->vertices(static_cast<PrimitiveId>(uniform.index(c.surface->size())));
+    const auto corners =
+      c.surface->vertices(static_cast<PrimitiveId>(uniform.index(c.surface->size())));
     const std::size_t k = uniform.index(3);
     Vec3 d = { uniform(-1, 1), uniform(-1, 1), uniform(-1, 1) };
     switch (aim)
@@ -131,14 +136,15 @@ TEST(Watertight, NothingLeavesAClosedSurface)
         const Rays all = rays(c, aim, slow ? 50 : 5000);
         for (const Precision precision : { Precision::Watertight, Precision::Exact })
         {
-          SCOPED_TRACE(c.name + ", " + label(accelerator->options()) + ", " + std::string(name(precision)) +
-            ", aim " + std::to_string(static_cast<int>(aim)));
+          SCOPED_TRACE(c.name + ", " + label(accelerator->options()) + ", " +
+            std::string(name(precision)) + ", aim " + std::to_string(static_cast<int>(aim)));
           std::vector<Hit> hits(all.size());
           std::vector<std::uint8_t> any(all.size());
           accelerator->closest(all.batch(), hits.data(), with(precision));
           accelerator->any(all.batch(), any.data(), with(precision));
           EXPECT_EQ(std::count_if(hits.begin(), hits.end(),
-                      [](const Hit& hit) { return hit.primitive == noPrimitive; }), 0);
+                      [](const Hit& hit) { return hit.primitive == noPrimitive; }),
+            0);
           EXPECT_EQ(std::count(any.begin(), any.end(), 0), 0);
           traced += all.size();
         }
@@ -166,8 +172,8 @@ TEST(Watertight, ExactNamesTheLowestTriangleAroundTheVertexHit)
 {
   for (const Closed& c : surfaces())
   {
-    // From inside a sphere about its centre every ray meets the surface once, so that a vertex aimed at is what is hit; its
-    // coordinates on a grid make the aim exact.
+    // From inside a sphere about its centre every ray meets the surface once, so that a vertex
+    // aimed at is what is hit; its coordinates on a grid make the aim exact.
     if (c.torus || c.grid == 0.0)
     {
       continue;
@@ -197,7 +203,8 @@ TEST(Watertight, ExactNamesTheLowestTriangleAroundTheVertexHit)
       {
         ASSERT_EQ(hits[i].primitive, around[targets[i]].front()) << "ray " << i;
         ASSERT_NEAR(hits[i].t, 1.0, 0x1p-24) << "ray " << i;
-        ASSERT_EQ(every.offsets[i + 1] - every.offsets[i], around[targets[i]].size()) << "ray " << i;
+        ASSERT_EQ(every.offsets[i + 1] - every.offsets[i], around[targets[i]].size())
+          << "ray " << i;
       }
     }
   }
@@ -231,7 +238,9 @@ TEST(Watertight, RandomRaysCrossAClosedSurfaceAnOddNumberOfTimes)
     const Rays all = rays(c, Aim::Random, 3000);
     std::vector<std::uint32_t> counts(all.size());
     accelerator->count(all.batch(), counts.data(), with(Precision::Exact));
-    EXPECT_TRUE(std::all_of(counts.begin(), counts.end(), [](std::uint32_t n) { return n % 2 == 1; })) << c.name;
+    EXPECT_TRUE(
+      std::all_of(counts.begin(), counts.end(), [](std::uint32_t n) { return n % 2 == 1; }))
+      << c.name;
   }
 }
 
@@ -244,10 +253,13 @@ TEST(Watertight, SliversAreAsTightAsAnythingElse)
     Uniform uniform(47);
     for (int i = 0; i < 500; ++i)
     {
-      const Vec3 o = 0.5 * (box.lower + box.upper) + Vec3{ 0.01 * uniform(-1, 1), 0.01 * uniform(-1, 1), 0 };
-      const auto corners = surface->vertices(static_cast<PrimitiveId>(uniform.index(surface->size())));
-      const Ray ray = { o, i % 2 == 0 ? corners[uniform.index(3)] - o
-                                      : Vec3{ uniform(-1, 1), uniform(-1, 1), uniform(-1e6, 1e6) } };
+      const Vec3 o =
+        0.5 * (box.lower + box.upper) + Vec3{ 0.01 * uniform(-1, 1), 0.01 * uniform(-1, 1), 0 };
+      const auto corners =
+        surface->vertices(static_cast<PrimitiveId>(uniform.index(surface->size())));
+      const Ray ray = { o,
+        i % 2 == 0 ? corners[uniform.index(3)] - o
+                   : Vec3{ uniform(-1, 1), uniform(-1, 1), uniform(-1e6, 1e6) } };
       for (const Precision precision : { Precision::Watertight, Precision::Exact })
       {
         ASSERT_NE(closestOf(*accelerator, ray, precision).primitive, noPrimitive)

@@ -56,22 +56,20 @@ public:
     return precision == Precision::Exact;
   }
 
-  QueryReport closest(
-    const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
+  QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
   {
     std::fill_n(hits, rays.size, Hit{});
-    return this->run(rays, options, [&](std::size_t i, const std::vector<Hit>& found) {
-      hits[i] = found.empty() ? Hit{} : found.front();
-    });
+    return this->run(rays, options,
+      [&](std::size_t i, const std::vector<Hit>& found)
+      { hits[i] = found.empty() ? Hit{} : found.front(); });
   }
 
   QueryReport any(
     const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const override
   {
     std::fill_n(hit, rays.size, std::uint8_t{ 0 });
-    return this->run(rays, options, [&](std::size_t i, const std::vector<Hit>& found) {
-      hit[i] = found.empty() ? 0 : 1;
-    });
+    return this->run(rays, options,
+      [&](std::size_t i, const std::vector<Hit>& found) { hit[i] = found.empty() ? 0 : 1; });
   }
 
   QueryReport all(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const override
@@ -79,8 +77,9 @@ public:
     hits.offsets.assign(rays.size + 1, 0);
     hits.hits.clear();
     // Rays come in order, on one thread.
-    const QueryReport report =
-      this->run(rays, options, [&](std::size_t i, const std::vector<Hit>& found) {
+    const QueryReport report = this->run(rays, options,
+      [&](std::size_t i, const std::vector<Hit>& found)
+      {
         hits.offsets[i + 1] = found.size();
         hits.hits.insert(hits.hits.end(), found.begin(), found.end());
       });
@@ -95,9 +94,9 @@ public:
     const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const override
   {
     std::fill_n(counts, rays.size, std::uint32_t{ 0 });
-    return this->run(rays, options, [&](std::size_t i, const std::vector<Hit>& found) {
-      counts[i] = static_cast<std::uint32_t>(found.size());
-    });
+    return this->run(rays, options,
+      [&](std::size_t i, const std::vector<Hit>& found)
+      { counts[i] = static_cast<std::uint32_t>(found.size()); });
   }
 
   [[nodiscard]] HierarchyView hierarchy() const override
@@ -127,7 +126,8 @@ private:
     QueryReport report;
     std::vector<Hit> found;
     report.completed = parallelFor(rays.size, raysPerReport, 1, options.control,
-      [&](std::size_t begin, std::size_t end) {
+      [&](std::size_t begin, std::size_t end)
+      {
         for (std::size_t i = begin; i < end; ++i)
         {
           const Ray ray = rays[i];

@@ -125,13 +125,11 @@ struct CgalTree::Internals
     }
     else if (begins && !ends)
     {
-      this->tree.all_intersected_primitives(
-        Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
+      this->tree.all_intersected_primitives(Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
     }
     else if (ends && !begins)
     {
-      this->tree.all_intersected_primitives(
-        Kernel::Ray_3(pointAt(ray, ray.tMax), -direction), out);
+      this->tree.all_intersected_primitives(Kernel::Ray_3(pointAt(ray, ray.tMax), -direction), out);
     }
     else // unlimited, or one point, which is no segment to CGAL
     {
@@ -189,9 +187,9 @@ void CgalTree::all(const Ray& ray, const PrimitiveId* skipFirst, const Primitive
       exact.push_back({ t, id, v });
     }
   }
-  std::sort(exact.begin(), exact.end(), [](const ExactHit& a, const ExactHit& b) {
-    return a.t < b.t || (a.t == b.t && a.primitive < b.primitive);
-  });
+  std::sort(exact.begin(), exact.end(),
+    [](const ExactHit& a, const ExactHit& b)
+    { return a.t < b.t || (a.t == b.t && a.primitive < b.primitive); });
   for (const ExactHit& hit : exact)
   {
     hits.push_back(hit.hit(ray));
@@ -202,7 +200,8 @@ std::size_t CgalTree::memory() const
 {
   // A binary tree over n triangles has n - 1 nodes of a box and two pointers each.
   const std::size_t n = this->internals_->triangles.size();
-  return n * (sizeof(Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) + 2 * sizeof(void*));
+  return n *
+    (sizeof(Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) + 2 * sizeof(void*));
 }
 
 } // namespace lumitree

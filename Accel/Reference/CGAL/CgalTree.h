@@ -12,8 +12,8 @@
 namespace lumitree
 {
 
-/// CGAL's AABB tree over the triangles of a surface that can be hit. Not thread-safe: CGAL's lazy numbers
-/// change when they are read. The surface must outlive it.
+/// CGAL's AABB tree over the triangles of a surface that can be hit. Not thread-safe: CGAL's lazy
+/// numbers change when they are read. The surface must outlive it.
 class CgalTree
 {
 public:
