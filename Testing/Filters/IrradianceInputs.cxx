@@ -49,6 +49,12 @@ TEST(IrradianceInputs, NoLights)
   expectError(filter, "no lights");
 }
 
+TEST(IrradianceInputs, NothingConnectedAsLights)
+{
+  Irradiance filter(floorStrip(0, 1, 3));
+  expectError(filter, "no lights");
+}
+
 TEST(IrradianceInputs, LightsThatAreNone)
 {
   const vtkNew<vtkMultiBlockDataSet> lights;
