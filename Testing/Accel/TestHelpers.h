@@ -30,9 +30,8 @@ std::shared_ptr<const Surface> surfaceOf(const data::Mesh& mesh, const Vec3& off
   {
     for (auto j = mesh.offsets[c] + 1; j + 1 < mesh.offsets[c + 1]; ++j)
     {
-      const auto corner = [&](std::int64_t k) {
-        return static_cast<std::uint32_t>(mesh.connectivity[static_cast<std::size_t>(k)]);
-      };
+      const auto corner = [&](std::int64_t k)
+      { return static_cast<std::uint32_t>(mesh.connectivity[static_cast<std::size_t>(k)]); };
       triangles.push_back({ corner(mesh.offsets[c]), corner(j), corner(j + 1) });
     }
   }
@@ -51,8 +50,8 @@ std::shared_ptr<const Surface> surfaceOf(const std::vector<std::array<Vec3, 3>>&
     indices.push_back({ first, first + 1, first + 2 });
     for (const Vec3& p : triangle)
     {
-      points.insert(points.end(),
-        { static_cast<T>(p[0]), static_cast<T>(p[1]), static_cast<T>(p[2]) });
+      points.insert(
+        points.end(), { static_cast<T>(p[0]), static_cast<T>(p[1]), static_cast<T>(p[2]) });
     }
   }
   return std::make_shared<const Surface>(PointArray::from(std::move(points)), std::move(indices));
@@ -108,7 +107,8 @@ private:
   std::mt19937 engine_;
 };
 
-/// Rays in all directions from in and around a box, some aimed exactly at vertices and at edge midpoints of the surface.
+/// Rays in all directions from in and around a box, some aimed exactly at vertices and at edge
+/// midpoints of the surface.
 inline Rays raysAround(const Surface& surface, std::size_t count, unsigned seed)
 {
   Uniform uniform(seed);
@@ -149,8 +149,8 @@ inline BuildOptions optionsOf(Structure structure, BvhBuild build = BvhBuild::Bi
 inline constexpr std::array<Precision, precisionCount> everyPrecision = { Precision::Fast,
   Precision::Watertight, Precision::Exact };
 
-/// Every structure of our own that this process offers (references make promises of their own), a binary BVH once per
-/// way to build it.
+/// Every structure of our own that this process offers (references make promises of their own),
+/// binary BVHs and KD-trees once per way to build them.
 inline std::vector<BuildOptions> ownStructures()
 {
   std::vector<BuildOptions> all;
@@ -162,12 +162,16 @@ inline std::vector<BuildOptions> ownStructures()
     }
   }
   all.push_back(optionsOf(Structure::Bvh, BvhBuild::LongestAxisMedian));
+  all.push_back(optionsOf(Structure::KdTree));
+  all.back().kdBuild = KdBuild::SpatialMedian;
   return all;
 }
 
 inline std::string label(const BuildOptions& options)
 {
-  return std::string(name(options.structure)) + ", " + std::string(name(options.bvhBuild));
+  const bool kdTree = options.structure == Structure::KdTree;
+  return std::string(name(options.structure)) + ", " +
+    std::string(kdTree ? name(options.kdBuild) : name(options.bvhBuild));
 }
 
 /// The surface under every structure of our own.
