@@ -43,6 +43,10 @@ std::vector<BuildOptions> structures()
   all.push_back(optionsOf(Structure::WideBvh));
   all.push_back(optionsOf(Structure::WideBvh, BvhBuild::LongestAxisMedian));
   all.back().leafSize = 9;
+  all.push_back(optionsOf(Structure::KdTree));
+  all.push_back(optionsOf(Structure::KdTree));
+  all.back().kdBuild = KdBuild::SpatialMedian;
+  all.back().leafSize = 1;
   return all;
 }
 
@@ -113,7 +117,7 @@ TEST_P(AgainstBruteForce, HundredThousandRaysAgree)
     std::vector<Hit> hits(rays.size());
     build(surface, optionsOf(Structure::BruteForce))
       ->closest(rays.batch(), wanted.data(), options);
-    for (const Structure structure : { Structure::Bvh, Structure::WideBvh })
+    for (const Structure structure : { Structure::Bvh, Structure::WideBvh, Structure::KdTree })
     {
       build(surface, optionsOf(structure))->closest(rays.batch(), hits.data(), options);
       std::size_t differences = 0;
