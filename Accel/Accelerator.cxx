@@ -29,6 +29,23 @@ void checkRange(const char* what, int value, int low, int high)
   }
 }
 
+void checkGrid(const BuildOptions& options)
+{
+  // The negation refuses NaN as well.
+  if (!(options.gridDensity > 0.0 && options.gridDensity <= 1000.0))
+  {
+    throw std::invalid_argument("grid density is " + std::to_string(options.gridDensity) +
+      ", it must be above 0 and at most 1000 cells per primitive");
+  }
+  if (options.gridResolution != std::array<int, 3>{ 0, 0, 0 })
+  {
+    for (const int cells : options.gridResolution)
+    {
+      checkRange("grid resolution", cells, 1, 1 << 20);
+    }
+  }
+}
+
 } // namespace
 
 Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
@@ -50,6 +67,7 @@ std::shared_ptr<const Accelerator> build(
   checkRange("greatest depth", asked.maxDepth, 1, 64);
   checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
   checkRange("KD-tree build", static_cast<int>(asked.kdBuild), 0, kdBuildCount - 1);
+  checkGrid(asked);
   // Builders compare and convert coordinates: with subnormals flushed they would enclose other numbers.
   const FloatEnvironment environment;
   BuildOptions options = asked;

@@ -5,6 +5,7 @@
 
 #include "Accel/Choices.h"
 
+#include <array>
 #include <cstddef>
 
 namespace lumitree
@@ -18,14 +19,17 @@ struct BuildOptions
   Structure structure = Structure::Auto;
   BvhBuild bvhBuild = BvhBuild::BinnedSah;
   KdBuild kdBuild = KdBuild::Sah;
-  int leafSize = 4;  ///< BVH: split nodes with more primitives than this; 1…1024
+  int leafSize = 4;  ///< trees: split nodes with more primitives than this; 1…1024
   int maxDepth = 64; ///< trees: a node this deep becomes a leaf whatever it holds; 1…64
+  double gridDensity = 8.0; ///< grid: cells per primitive when gridResolution is automatic; above 0, at most 1000
+  std::array<int, 3> gridResolution = { 0, 0, 0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
   bool embreeRobust = true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
 
   friend bool operator==(const BuildOptions& a, const BuildOptions& b)
   {
     return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.kdBuild == b.kdBuild &&
-      a.leafSize == b.leafSize && a.maxDepth == b.maxDepth && a.embreeRobust == b.embreeRobust;
+      a.leafSize == b.leafSize && a.maxDepth == b.maxDepth && a.gridDensity == b.gridDensity &&
+      a.gridResolution == b.gridResolution && a.embreeRobust == b.embreeRobust;
   }
 };
 

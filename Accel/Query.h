@@ -15,8 +15,8 @@ namespace lumitree
 /// What the canonical single-ray walk of one ray cost, whatever batching does.
 struct RayCounters
 {
-  std::uint32_t nodes = 0;      ///< nodes entered, leaves included (those of a tree), 0 for a grid
-  std::uint32_t cells = 0;      ///< cells stepped through (those of a grid), 0 for a tree
+  std::uint32_t nodes = 0;      ///< nodes entered, leaves included; of a grid: the grid itself and its occupied cells
+  std::uint32_t cells = 0;      ///< cells stepped through, empty ones included; 0 for all but a grid
   std::uint32_t leaves = 0;     ///< leaves (or occupied cells) whose primitives were tested
   std::uint32_t primitives = 0; ///< primitives tested, a repeated test counted again
 };

@@ -7,7 +7,9 @@
 #endif
 #include "Accel/Structures/BruteForce.h"
 #include "Accel/Structures/Bvh.h"
+#include "Accel/Structures/Grid.h"
 #include "Accel/Structures/KdTree.h"
+#include "Accel/Structures/Octree.h"
 #include "Accel/Structures/WideBvh.h"
 
 #include <map>
@@ -28,6 +30,8 @@ Registry::Registry()
   this->add({ Structure::BruteForce, "every primitive, every ray", buildBruteForce });
   this->add({ Structure::Bvh, "binary bounding volume hierarchy", buildBvh });
   this->add({ Structure::WideBvh, "eight-wide bounding volume hierarchy", buildWideBvh });
+  this->add({ Structure::Grid, "uniform grid", buildGrid });
+  this->add({ Structure::Octree, "octree", buildOctree });
   this->add({ Structure::KdTree, "KD-tree", buildKdTree });
 #if defined(LUMITREE_EMBREE_MAJOR)
   this->add({ Structure::Embree, "Intel Embree, in float; shown as one node", buildEmbree });

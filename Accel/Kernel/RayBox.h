@@ -21,6 +21,12 @@ namespace lumitree
 class RayBox
 {
 public:
+  /// How far a t of one plane, computed as above, is trusted.
+  ///@{
+  static constexpr double relativePad = 0x1p-40;
+  static constexpr double absolutePad = 0x1p-1000;
+  ///@}
+
   explicit RayBox(const Ray& ray)
     : origin_(ray.origin)
     , tMin_(ray.tMin)
@@ -42,6 +48,8 @@ public:
   [[nodiscard]] double tMin() const { return this->tMin_; }
   [[nodiscard]] double tMax() const { return this->tMax_; }
   [[nodiscard]] bool negative(int axis) const { return this->negative_[axis]; }
+  /// 1 / direction; ±infinity for ±0, NaN where it would overflow.
+  [[nodiscard]] double reciprocal(int axis) const { return this->reciprocal_[axis]; }
 
   /// Whether the closed segment, cut at tStop, may meet the closed box. tEnter becomes a lower bound of
   /// the t at which it does.
@@ -117,9 +125,6 @@ private:
     }
     return beside;
   }
-
-  static constexpr double relativePad = 0x1p-40;
-  static constexpr double absolutePad = 0x1p-1000;
 
   Vec3 origin_;
   Vec3 reciprocal_;

@@ -16,6 +16,7 @@ constexpr std::size_t greatestCells = std::size_t{ 1 } << 27;
 constexpr std::size_t greatestReferences = std::size_t{ 1 } << 26;
 constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
+constexpr std::size_t sampleSize = 1024;
 
 struct Reference
 {
@@ -36,44 +37,61 @@ public:
   /// False as soon as there are more than the limit.
   bool insertAll(const Surface& surface)
   {
-    for (const PrimitiveId id : surface.hittable())
-    {
-      const TriangleBoxOverlap overlap(surface.vertices(id));
-      if (!this->insert(overlap, id, this->lattice_.slabsOf(overlap.bounds())))
-      {
-        return false;
-      }
-    }
-    return true;
+    return this->insertEach(surface, 1) == surface.hittable().size();
+  }
+
+  /// How many references the surface needs, from a sample of its primitives.
+  double estimate(const Surface& surface)
+  {
+    const std::size_t all = surface.hittable().size();
+    const std::size_t done = this->insertEach(surface, all / sampleSize + 1);
+    return static_cast<double>(this->references_.size()) * static_cast<double>(all) /
+      static_cast<double>(std::max<std::size_t>(done, 1));
   }
 
   [[nodiscard]] const std::vector<Reference>& references() const { return this->references_; }
 
 private:
+  /// Inserts every stride-th primitive until there are more references than the limit; how many were inserted.
+  std::size_t insertEach(const Surface& surface, std::size_t stride)
+  {
+    std::size_t done = 0;
+    const std::vector<PrimitiveId>& all = surface.hittable();
+    for (std::size_t i = 0; i < all.size() && this->references_.size() <= this->limit_; i += stride)
+    {
+      const TriangleBoxOverlap overlap(surface.vertices(all[i]));
+      this->insert(overlap, all[i], this->lattice_.slabsOf(overlap.bounds()));
+      ++done;
+    }
+    // The last one may have been cut short: too few rather than a wrong grid.
+    return this->references_.size() <= this->limit_ ? done : std::min(done, all.size() - 1);
+  }
+
   /// Halves blocks of cells until one cell is left: a large triangle is not tested against every cell of its box.
-  bool insert(const TriangleBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
+  void insert(const TriangleBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
   {
     int axis = 0;
     for (int k = 1; k < 3; ++k)
     {
       axis = range.last[k] - range.first[k] > range.last[axis] - range.first[axis] ? k : axis;
     }
-    if (!overlap.mayMeet(this->lattice_.box(range)))
+    if (this->references_.size() > this->limit_ || !overlap.mayMeet(this->lattice_.box(range)))
     {
-      return true;
+      return;
     }
     if (range.first[axis] == range.last[axis])
     {
       const std::size_t cell = this->lattice_.cell(range.first[0], range.first[1], range.first[2]);
       this->references_.push_back({ static_cast<std::uint32_t>(cell), id });
-      return this->references_.size() <= this->limit_;
+      return;
     }
     const int middle = range.first[axis] + (range.last[axis] - range.first[axis]) / 2;
     SlabRange left = range;
     SlabRange right = range;
     left.last[axis] = middle;
     right.first[axis] = middle + 1;
-    return this->insert(overlap, id, left) && this->insert(overlap, id, right);
+    this->insert(overlap, id, left);
+    this->insert(overlap, id, right);
   }
 
   const GridLattice& lattice_;
@@ -143,13 +161,18 @@ GridCells buildAutomatically(const Surface& surface, double density)
   while (true)
   {
     const GridLattice lattice(surface.bounds(), GridLattice::resolutionFor(surface.bounds(), cells));
-    Insertion insertion(lattice, limit);
-    // One cell holds each primitive once, so this ends.
-    if (insertion.insertAll(surface))
+    // The number of references grows no faster than that of cells, so this factor does not overshoot.
+    const double excess = Insertion(lattice, limit).estimate(surface) / static_cast<double>(limit);
+    if (excess <= 1.0)
     {
-      return arrange(lattice, insertion.references());
+      Insertion insertion(lattice, limit);
+      if (insertion.insertAll(surface))
+      {
+        return arrange(lattice, insertion.references());
+      }
     }
-    cells = std::max(0.5 * cells, 1.0);
+    // One cell holds each primitive once, so this ends.
+    cells = std::max((excess > 1.0 ? std::min(0.9, 1.0 / excess) : 0.5) * cells, 1.0);
   }
 }
 

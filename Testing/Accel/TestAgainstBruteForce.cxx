@@ -47,6 +47,13 @@ std::vector<BuildOptions> structures()
   all.push_back(optionsOf(Structure::KdTree));
   all.back().kdBuild = KdBuild::SpatialMedian;
   all.back().leafSize = 1;
+  all.push_back(optionsOf(Structure::Grid));
+  all.push_back(optionsOf(Structure::Grid));
+  all.back().gridResolution = { 7, 1, 30 };
+  all.push_back(optionsOf(Structure::Octree));
+  all.push_back(optionsOf(Structure::Octree));
+  all.back().leafSize = 1;
+  all.back().maxDepth = 6;
   return all;
 }
 
@@ -78,6 +85,7 @@ TEST_P(AgainstBruteForce, EveryQueryAgrees)
 
     for (const BuildOptions& build : structures())
     {
+      SCOPED_TRACE(label(build));
       const auto tree = lumitree::build(c.surface, build);
       std::vector<Hit> hits(batch.size);
       std::vector<std::uint8_t> any(batch.size);
@@ -117,7 +125,7 @@ TEST_P(AgainstBruteForce, HundredThousandRaysAgree)
     std::vector<Hit> hits(rays.size());
     build(surface, optionsOf(Structure::BruteForce))
       ->closest(rays.batch(), wanted.data(), options);
-    for (const Structure structure : { Structure::Bvh, Structure::WideBvh, Structure::KdTree })
+    for (const Structure structure : { Structure::Bvh, Structure::WideBvh, Structure::KdTree, Structure::Grid, Structure::Octree })
     {
       build(surface, optionsOf(structure))->closest(rays.batch(), hits.data(), options);
       std::size_t differences = 0;

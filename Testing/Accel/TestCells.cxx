@@ -15,12 +15,45 @@ namespace
 
 using Corners = std::array<Vec3, 3>;
 
+/// Whether a structure looks for a primitive only where its surface is, and not wherever its box is.
+bool dividesSpace(Structure structure)
+{
+  return structure == Structure::Grid || structure == Structure::Octree || structure == Structure::KdTree ||
+    structure == Structure::BspTree;
+}
+
+/// Fast and Watertight take a primitive for hit by a ray in its plane that passes it by, as long as the ray meets its box.
+/// What divides space may find fewer of these, never fewer than Exact has, and none that brute force has not.
+void expectBetween(const AllHits& exact, const AllHits& hits, const AllHits& wanted)
+{
+  for (std::size_t i = 0; i + 1 < hits.offsets.size(); ++i)
+  {
+    const auto contains = [&](const AllHits& others, const auto& matches) {
+      return std::any_of(others.hits.begin() + static_cast<std::ptrdiff_t>(others.offsets[i]),
+        others.hits.begin() + static_cast<std::ptrdiff_t>(others.offsets[i + 1]), matches);
+    };
+    for (auto h = hits.offsets[i]; h < hits.offsets[i + 1]; ++h)
+    {
+      ASSERT_TRUE(contains(wanted, [&](const Hit& other) { return sameBits(hits.hits[h], other); }))
+        << "ray " << i;
+    }
+    for (auto h = exact.offsets[i]; h < exact.offsets[i + 1]; ++h)
+    {
+      ASSERT_TRUE(contains(
+        hits, [&](const Hit& other) { return exact.hits[h].primitive == other.primitive; }))
+        << "ray " << i;
+    }
+  }
+}
+
 /// Every query of every structure and precision against brute force.
 void expectBruteForce(const std::vector<Corners>& triangles, const Rays& rays)
 {
   for (const auto& surface : { surfaceOf<float>(triangles), surfaceOf<double>(triangles) })
   {
     const auto oracle = build(surface, optionsOf(Structure::BruteForce));
+    AllHits exact;
+    oracle->all(rays.batch(), exact, with(Precision::Exact));
     for (const Precision precision : everyPrecision)
     {
       std::vector<Hit> wanted(rays.size());
@@ -38,6 +71,17 @@ void expectBruteForce(const std::vector<Corners>& triangles, const Rays& rays)
         accelerator->any(rays.batch(), any.data(), with(precision));
         accelerator->count(rays.batch(), counts.data(), with(precision));
         accelerator->all(rays.batch(), all, with(precision));
+        if (dividesSpace(accelerator->options().structure) && precision == Precision::Watertight)
+        {
+          expectBetween(exact, all, wantedAll);
+          for (std::size_t i = 0; i < rays.size(); ++i)
+          {
+            ASSERT_EQ(counts[i], all.offsets[i + 1] - all.offsets[i]) << "ray " << i;
+            ASSERT_EQ(any[i], counts[i] > 0 ? 1 : 0) << "ray " << i;
+            ASSERT_EQ(hits[i].primitive != noPrimitive, counts[i] > 0) << "ray " << i;
+          }
+          continue;
+        }
         for (std::size_t i = 0; i < rays.size(); ++i)
         {
           const Ray ray = rays.batch()[i];

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/Octree.h"
+
+#include "Accel/Kernel/RayBox.h"
+#include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/OctreeBuilder.h"
+
+namespace lumitree
+{
+namespace
+{
+
+class Octree
+{
+public:
+  Octree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+    : octree_(buildOctreeNodes(surface, options))
+    , firstBlock_(octree_.nodes.size())
+  {
+    std::visit(
+      [&](auto& store) {
+        for (std::size_t i = 0; i < this->octree_.nodes.size(); ++i)
+        {
+          const OctreeNode& node = this->octree_.nodes[i];
+          if (node.leaf)
+          {
+            this->firstBlock_[i] =
+              store.append(surface, this->octree_.references.data() + node.first, node.count);
+          }
+        }
+      },
+      blocks);
+  }
+
+  [[nodiscard]] const void* walked() const { return this; }
+  static StructureWalks walks() { return baselineWalks<Octree>(); }
+
+  /// Nearest octant first; an octant is entered only if its box is met before the best hit so far.
+  template <class Visitor>
+  void walk(const RayBox& ray, Visitor& visitor) const
+  {
+    struct Entry
+    {
+      std::uint32_t node;
+      double tEnter;
+    };
+    // At most seven siblings wait per level, and the eight children of the last.
+    Entry stack[7 * octreeDepthLimit + 8];
+    int height = 0;
+    const std::vector<OctreeNode>& nodes = this->octree_.nodes;
+    double tStop = visitor.tStop();
+    Entry root = { 0, 0.0 };
+    if (ray.meets(nodes[0].box, tStop, root.tEnter))
+    {
+      stack[height++] = root;
+    }
+    while (height > 0)
+    {
+      const Entry current = stack[--height];
+      if (current.tEnter > tStop)
+      {
+        continue;
+      }
+      visitor.node(current.node);
+      const OctreeNode& node = nodes[current.node];
+      if (node.leaf)
+      {
+        tStop = visitor.leaf({ this->firstBlock_[current.node], node.count, current.tEnter });
+        continue;
+      }
+      const int bottom = height;
+      for (std::uint32_t child = node.first; child < node.first + node.count; ++child)
+      {
+        Entry entry = { child, 0.0 };
+        if (ray.meets(nodes[child].box, tStop, entry.tEnter))
+        {
+          int place = height++;
+          for (; place > bottom && stack[place - 1].tEnter < entry.tEnter; --place)
+          {
+            stack[place] = stack[place - 1];
+          }
+          stack[place] = entry;
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] HierarchyView view(const LeafBlocks&) const
+  {
+    HierarchyView view;
+    view.references = this->octree_.references;
+    view.nodes.resize(this->octree_.nodes.size());
+    for (std::size_t i = 0; i < view.nodes.size(); ++i)
+    {
+      const OctreeNode& node = this->octree_.nodes[i];
+      HierarchyNode& shown = view.nodes[i];
+      shown.box = node.box;
+      shown.leaf = node.leaf;
+      shown.firstReference = node.leaf ? node.first : 0;
+      shown.referenceCount = node.leaf ? node.count : 0;
+      if (i > 0)
+      {
+        shown.parent = node.parent;
+        shown.depth = view.nodes[node.parent].depth + 1;
+      }
+    }
+    completeHierarchy(view);
+    return view;
+  }
+
+  [[nodiscard]] std::size_t memory() const
+  {
+    return this->octree_.nodes.capacity() * sizeof(OctreeNode) +
+      this->octree_.references.capacity() * sizeof(PrimitiveId) +
+      this->firstBlock_.capacity() * sizeof(std::uint32_t);
+  }
+
+private:
+  OctreeNodes octree_;
+  std::vector<std::uint32_t> firstBlock_; ///< per node, for leaves
+};
+
+} // namespace
+
+std::shared_ptr<const Accelerator> buildOctree(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+{
+  return std::make_shared<TreeAccelerator<Octree>>(std::move(surface), options);
+}
+
+} // namespace lumitree

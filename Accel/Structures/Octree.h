@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Accel_Structures_Octree_h
+#define Lumitree_Accel_Structures_Octree_h
+
+#include "Accel/Accelerator.h"
+
+namespace lumitree
+{
+
+/// A cube around the surface's bounds, halved along all three axes for as long as OctreeBuilder.h says.
+[[nodiscard]] std::shared_ptr<const Accelerator> buildOctree(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+
+} // namespace lumitree
+
+#endif

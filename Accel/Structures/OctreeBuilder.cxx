@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/OctreeBuilder.h"
+
+#include "Accel/Structures/TriangleBoxOverlap.h"
+
+#include <array>
+
+namespace lumitree
+{
+namespace
+{
+
+constexpr std::size_t fewReferences = 65536;
+constexpr std::size_t referencesPerPrimitive = 16;
+constexpr std::size_t growth = 3;
+
+/// Octants reach over their planes by this much of the root, for Fast and Watertight, which may take for hit what a ray
+/// misses by rounding.
+constexpr double relativeMargin = 0x1p-36;
+
+/// A node of the level at work.
+struct Open
+{
+  std::uint32_t node;
+  Box octant;
+  std::vector<PrimitiveId> primitives;
+};
+
+class Builder
+{
+public:
+  Builder(const Surface& surface, const BuildOptions& options)
+    : surface_(surface)
+    , leafSize_(static_cast<std::size_t>(options.leafSize))
+    , depthLimit_(std::min(options.maxDepth, octreeDepthLimit))
+    , limit_(fewReferences + referencesPerPrimitive * surface.hittable().size())
+    , held_(surface.hittable().size())
+  {
+  }
+
+  OctreeNodes build()
+  {
+    this->tree_.nodes.emplace_back();
+    this->tree_.nodes[0].box = this->surface_.bounds();
+    std::vector<Open> level;
+    level.push_back({ 0, this->rootCube(), this->surface_.hittable() });
+    for (int depth = 0; !level.empty(); ++depth)
+    {
+      std::vector<Open> next;
+      for (Open& open : level)
+      {
+        if (depth == this->depthLimit_ || open.primitives.size() <= this->leafSize_ ||
+          !this->split(open, next))
+        {
+          this->close(open);
+        }
+      }
+      level = std::move(next);
+    }
+    return std::move(this->tree_);
+  }
+
+private:
+  Box rootCube()
+  {
+    Box cube = this->surface_.bounds();
+    if (!cube.empty())
+    {
+      const double size = cube.size()[cube.longestAxis()];
+      this->margin_ = relativeMargin * size;
+      for (int k = 0; k < 3; ++k)
+      {
+        cube.upper[k] = std::max(cube.upper[k], cube.lower[k] + size);
+      }
+    }
+    return cube;
+  }
+
+  [[nodiscard]] Box boxOf(const Box& octant) const
+  {
+    const Box& bounds = this->surface_.bounds();
+    Box box;
+    for (int k = 0; k < 3; ++k)
+    {
+      box.lower[k] = std::max(octant.lower[k] - this->margin_, bounds.lower[k]);
+      box.upper[k] = std::min(octant.upper[k] + this->margin_, bounds.upper[k]);
+    }
+    return box;
+  }
+
+  static Box octantOf(const Box& cube, const Vec3& centre, int i)
+  {
+    Box octant;
+    for (int k = 0; k < 3; ++k)
+    {
+      const bool above = (i >> k & 1) != 0;
+      octant.lower[k] = above ? centre[k] : cube.lower[k];
+      octant.upper[k] = above ? cube.upper[k] : centre[k];
+    }
+    return octant;
+  }
+
+  /// Appends the node's children to the tree and to the next level; false where the node must become a leaf.
+  bool split(const Open& open, std::vector<Open>& next)
+  {
+    const Vec3 centre = open.octant.centre();
+    std::array<Box, 8> boxes;
+    for (int i = 0; i < 8; ++i)
+    {
+      boxes[i] = this->boxOf(octantOf(open.octant, centre, i));
+    }
+    const std::size_t count = open.primitives.size();
+    const std::size_t allowed =
+      std::min(growth * count, this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
+    std::array<std::vector<PrimitiveId>, 8> held;
+    std::size_t total = 0;
+    for (const PrimitiveId id : open.primitives)
+    {
+      const TriangleBoxOverlap overlap(this->surface_.vertices(id));
+      for (int i = 0; i < 8; ++i)
+      {
+        if (overlap.mayMeet(boxes[i]))
+        {
+          held[i].push_back(id);
+          ++total;
+        }
+      }
+      if (total > allowed)
+      {
+        return false;
+      }
+    }
+    if (total == 0)
+    {
+      return false; // the node holds only what its margin of safety took for met
+    }
+    this->held_ = this->held_ + total - count;
+    OctreeNode& parent = this->tree_.nodes[open.node];
+    parent.leaf = false;
+    parent.first = static_cast<std::uint32_t>(this->tree_.nodes.size());
+    for (int i = 0; i < 8; ++i)
+    {
+      parent.count += held[i].empty() ? 0 : 1;
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      if (!held[i].empty())
+      {
+        const auto index = static_cast<std::uint32_t>(this->tree_.nodes.size());
+        OctreeNode child;
+        child.box = boxes[i];
+        child.parent = open.node;
+        this->tree_.nodes.push_back(child);
+        next.push_back({ index, octantOf(open.octant, centre, i), std::move(held[i]) });
+      }
+    }
+    return true;
+  }
+
+  void close(Open& open)
+  {
+    OctreeNode& node = this->tree_.nodes[open.node];
+    node.first = static_cast<std::uint32_t>(this->tree_.references.size());
+    node.count = static_cast<std::uint32_t>(open.primitives.size());
+    this->tree_.references.insert(
+      this->tree_.references.end(), open.primitives.begin(), open.primitives.end());
+    open.primitives = {};
+  }
+
+  const Surface& surface_;
+  std::size_t leafSize_;
+  int depthLimit_;
+  std::size_t limit_; ///< of references
+  std::size_t held_;  ///< references so far, over all nodes without children
+  double margin_ = 0.0;
+  OctreeNodes tree_;
+};
+
+} // namespace
+
+OctreeNodes buildOctreeNodes(const Surface& surface, const BuildOptions& options)
+{
+  return Builder(surface, options).build();
+}
+
+} // namespace lumitree
