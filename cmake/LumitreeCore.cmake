@@ -6,8 +6,8 @@
 #   [PUBLIC_LINKS <target>...] [PRIVATE_LINKS <target>...])
 #
 # A shared library Lumitree<Name>, target Lumitree::<Name>, without VTK. Headers are included from the
-# source root ("Accel/Surface.h") and installed under the same path in include/lumitree. A core with an Export.h
-# shows only what it marks.
+# source root ("Accel/Surface.h"); those beside the calling CMakeLists.txt are public and installed under the same
+# path in include/lumitree, those in its subdirectories are not. A core with an Export.h shows only what it marks.
 function (lumitree_add_core_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC_LINKS;PRIVATE_LINKS")
   set(target "Lumitree${name}")
@@ -32,7 +32,6 @@ function (lumitree_add_core_library name)
 
   install(TARGETS "${target}" EXPORT LumitreeCore LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   file(RELATIVE_PATH subdirectory "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-  install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lumitree/${subdirectory}"
-    FILES_MATCHING PATTERN "*.h" PATTERN Reference EXCLUDE)
+  file(GLOB headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+  install(FILES ${headers} DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/lumitree/${subdirectory}")
 endfunction ()
