@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Embree behind our interface: the same hits as ours but for float's last digits, and its known leaks at vertices.
+// Embree behind our interface: the same hits as ours but for float's last digits, and its known
+// leaks at vertices.
 #include "TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,8 @@ Hit embreeHit(const Accelerator& accelerator, const Ray& ray)
   return closestOf(accelerator, ray, Precision::Fast);
 }
 
-/// Embree's nearest hits against our exact ones: the same primitive but for few rays, |t| as near as float can tell.
+/// Embree's nearest hits against our exact ones: the same primitive but for few rays, |t| as near
+/// as float can tell.
 void expectAgreement(const std::shared_ptr<const Surface>& surface, const Rays& rays)
 {
   for (const bool robust : { false, true })
@@ -186,9 +188,8 @@ TEST_F(Embree, ThreadsDoNotMatter)
 
 TEST_F(Embree, LeavesTheProcessItsThreads)
 {
-  const auto parallelism = [] {
-    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  };
+  const auto parallelism = []
+  { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); };
   const auto before = parallelism();
   const auto accelerator = embree(this->torus_);
   EXPECT_EQ(parallelism(), before);
@@ -203,8 +204,10 @@ TEST(EmbreeLimits, ClosedSegments)
     walls.push_back({ { { x, -1, -1 }, { x, 3, -1 }, { x, -1, 3 } } });
   }
   const auto accelerator = embree(surfaceOf<float>(walls));
-  const auto count = [&](double tMin, double tMax, double speed = 1.0, double from = 0.0) {
-    return allOf(*accelerator, { { from, 0, 0 }, { speed, 0, 0 }, tMin, tMax }, Precision::Fast).size();
+  const auto count = [&](double tMin, double tMax, double speed = 1.0, double from = 0.0)
+  {
+    return allOf(*accelerator, { { from, 0, 0 }, { speed, 0, 0 }, tMin, tMax }, Precision::Fast)
+      .size();
   };
   EXPECT_EQ(count(0, infinity), 3u);
   EXPECT_EQ(count(0, 2.5), 2u);
@@ -229,12 +232,10 @@ TEST(EmbreeLimits, ClosedSegments)
 
 TEST(EmbreeLimits, OfSeveralAtTheSamePlaceTheLowestWins)
 {
-  std::vector<std::array<Vec3, 3>> same(
-    100, { { { 1, -1, -1 }, { 1, 3, -1 }, { 1, -1, 3 } } });
+  std::vector<std::array<Vec3, 3>> same(100, { { { 1, -1, -1 }, { 1, 3, -1 }, { 1, -1, 3 } } });
   const auto accelerator = embree(surfaceOf<float>(same));
   EXPECT_EQ(embreeHit(*accelerator, { { 0, 0, 0 }, { 1, 0, 0 } }).primitive, 0u);
-  EXPECT_EQ(
-    allOf(*accelerator, { { 0, 0, 0 }, { 1, 0, 0 } }, Precision::Fast).size(), same.size());
+  EXPECT_EQ(allOf(*accelerator, { { 0, 0, 0 }, { 1, 0, 0 } }, Precision::Fast).size(), same.size());
 }
 
 TEST_F(Embree, RaysThatItWouldAbortOnDoNotReachIt)
@@ -255,8 +256,7 @@ TEST_F(Embree, RaysThatItWouldAbortOnDoNotReachIt)
   }
   const auto accelerator = embree(this->torus_);
   std::vector<Hit> hits(rays.size());
-  const QueryReport report =
-    accelerator->closest(rays.batch(), hits.data(), with(Precision::Fast));
+  const QueryReport report = accelerator->closest(rays.batch(), hits.data(), with(Precision::Fast));
   EXPECT_EQ(report.invalidRays, invalid);
   for (std::size_t i = 0; i < invalid; ++i)
   {
@@ -307,8 +307,9 @@ TEST(EmbreeSurface, WithoutAnythingToHit)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& surface : { surfaceOf<float>(std::vector<std::array<Vec3, 3>>{}),
-         surfaceOf<double>(std::vector<std::array<Vec3, 3>>{
-           { { { nan, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } }, { { { 1, 1, 1 }, { 1, 1, 1 }, { 2, 2, 2 } } } }) })
+         surfaceOf<double>(
+           std::vector<std::array<Vec3, 3>>{ { { { nan, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } } },
+             { { { 1, 1, 1 }, { 1, 1, 1 }, { 2, 2, 2 } } } }) })
   {
     const auto accelerator = embree(surface);
     EXPECT_EQ(embreeHit(*accelerator, { { 0, 0, -1 }, { 0, 0, 1 } }).primitive, noPrimitive);
@@ -355,12 +356,13 @@ TEST_F(Embree, ShowsOneNodeAndCountsNothing)
   options.perNode = visits.data();
   accelerator->closest(this->rays_.batch(), hits.data(), options);
   EXPECT_EQ(visits[0], 5u);
-  EXPECT_EQ(counters[9].nodes + counters[9].cells + counters[9].leaves + counters[9].primitives, 0u);
+  EXPECT_EQ(
+    counters[9].nodes + counters[9].cells + counters[9].leaves + counters[9].primitives, 0u);
 }
 
-/// Rays from inside a sphere of radius 100 whose points are multiples of 2^-10, exactly through vertices: even the
-/// robust flag lets some escape (Embree's issues 181 and 188), ours none. Were there no leak, this would not be
-/// the program that the comparisons of speed are about.
+/// Rays from inside a sphere of radius 100 whose points are multiples of 2^-10, exactly through
+/// vertices: even the robust flag lets some escape (Embree's issues 181 and 188), ours none. Were
+/// there no leak, this would not be the program that the comparisons of speed are about.
 TEST(EmbreeLeaks, AtVerticesButFew)
 {
   data::Mesh mesh = data::sphere(64);
@@ -378,7 +380,8 @@ TEST(EmbreeLeaks, AtVerticesButFew)
       snapped(uniform(-50, 50)) };
     rays.add(origin, surface->point(uniform.index(surface->pointCount())) - origin);
   }
-  const auto escaped = [&](const Accelerator& accelerator, Precision precision) {
+  const auto escaped = [&](const Accelerator& accelerator, Precision precision)
+  {
     const auto hits = closest(accelerator, rays.batch(), precision);
     const auto misses = std::count_if(
       hits.begin(), hits.end(), [](const Hit& hit) { return hit.primitive == noPrimitive; });

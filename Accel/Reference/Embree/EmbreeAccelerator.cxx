@@ -47,8 +47,7 @@ public:
     return precision == Precision::Fast;
   }
 
-  QueryReport closest(
-    const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
+  QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
   {
     const Asked asked{ *this->scene_, &EmbreeScene::closest };
     return this->runner(asked, options).closest(rays, hits, options);

@@ -28,9 +28,9 @@ struct EmbreeSegment
   int exponent = 0;
 };
 
-/// Coordinates in which Embree works: moved, in double, to the centre of the surface's bounds, and scaled by a
-/// power of two to about 1. Embree knows floats only, takes no negative t, and loses or refuses numbers beyond
-/// 10^±18; on moderate numbers the scaling changes no bit of its answers.
+/// Coordinates in which Embree works: moved, in double, to the centre of the surface's bounds, and
+/// scaled by a power of two to about 1. Embree knows floats only, takes no negative t, and loses or
+/// refuses numbers beyond 10^±18; on moderate numbers the scaling changes no bit of its answers.
 class EmbreeFrame
 {
 public:
@@ -38,8 +38,9 @@ public:
 
   [[nodiscard]] std::array<float, 3> point(const Vec3& p) const;
 
-  /// The part of a valid ray within a ball about the surface. False when there is none, or when the origin is so far
-  /// away (beyond some 10^12 times the surface's size) that doubles no longer tell.
+  /// The part of a valid ray within a ball about the surface. False when there is none, or when the
+  /// origin is so far away (beyond some 10^12 times the surface's size) that doubles no longer
+  /// tell.
   [[nodiscard]] bool cut(const Ray& ray, EmbreeSegment& segment) const;
 
 private:

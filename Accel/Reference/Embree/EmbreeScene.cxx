@@ -26,9 +26,9 @@ Query& queryOf(const RTCFilterFunctionNArguments* arguments)
   return *const_cast<Query*>(static_cast<const Query*>(arguments->context));
 }
 
-/// What Embree found, if it is within the ray's limits and not skipped. Rays come one by one, so N is 1.
-bool admit(
-  const RTCFilterFunctionNArguments* arguments, const Query& query, Candidate& candidate)
+/// What Embree found, if it is within the ray's limits and not skipped. Rays come one by one, so N
+/// is 1.
+bool admit(const RTCFilterFunctionNArguments* arguments, const Query& query, Candidate& candidate)
 {
   const RayState& state = *query.state;
   const unsigned int index = RTCHitN_primID(arguments->hit, arguments->N, 0);
@@ -107,7 +107,8 @@ struct EmbreeScene::Internals
     }
     rtcSetDeviceMemoryMonitorFunction(
       this->device,
-      [](void* internals, ssize_t change, bool) {
+      [](void* internals, ssize_t change, bool)
+      {
         static_cast<Internals*>(internals)->bytes += change;
         return true;
       },
@@ -129,9 +130,9 @@ struct EmbreeScene::Internals
     const RTCGeometry geometry = rtcNewGeometry(this->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
       RTC_FORMAT_FLOAT3, 3 * sizeof(float), surface.pointCount()));
-    auto* triangles = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry,
-      RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-      surface.hittable().size()));
+    auto* triangles =
+      static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+        RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), surface.hittable().size()));
     if (points && triangles)
     {
       // Points that no triangle here uses stay 0: they need not even be finite.

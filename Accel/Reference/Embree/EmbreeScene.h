@@ -11,8 +11,8 @@
 namespace lumitree
 {
 
-/// Embree's tree over the triangles of a surface that can be hit. Any number of threads may query it. The surface
-/// must outlive it.
+/// Embree's tree over the triangles of a surface that can be hit. Any number of threads may query
+/// it. The surface must outlive it.
 class EmbreeScene
 {
 public:
