@@ -21,7 +21,10 @@ struct BuildOptions
   KdBuild kdBuild = KdBuild::Sah;
   int leafSize = 4;  ///< trees: split nodes with more primitives than this; 1…1024
   int maxDepth = 64; ///< trees: a node this deep becomes a leaf whatever it holds; 1…64
-  double gridDensity = 8.0; ///< grid: cells per primitive when gridResolution is automatic; above 0, at most 1000
+  /// Grid: cells per primitive when gridResolution is automatic; above 0, at most 1000. Textbooks advise up to 27;
+  /// here four primitives of a cell are tested at once, and from 0.25 to 54 on the teapot and the city 0.25 … 0.5 was
+  /// fastest.
+  double gridDensity = 0.5;
   std::array<int, 3> gridResolution = { 0, 0, 0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
   bool embreeRobust = true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
 

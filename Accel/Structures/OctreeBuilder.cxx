@@ -13,7 +13,8 @@ namespace
 
 constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
-constexpr std::size_t growth = 3;
+/// See OctreeBuilder.h.
+constexpr std::size_t growthHalves = 3;
 
 /// Octants reach over their planes by this much of the root, for Fast and Watertight, which may take for hit what a ray
 /// misses by rounding.
@@ -112,7 +113,7 @@ private:
     }
     const std::size_t count = open.primitives.size();
     const std::size_t allowed =
-      std::min(growth * count, this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
+      std::min(growthHalves * count / 2, this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
     std::array<std::vector<PrimitiveId>, 8> held;
     std::size_t total = 0;
     for (const PrimitiveId id : open.primitives)

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The uniform grid: lattice-aligned rays against brute force, resolutions asked for and automatic, bounded memory, scales
+// and offsets, counts of cells.
+#include "CellStructures.h"
+
+#include <gtest/gtest.h>
+
+using namespace lumitree;
+using namespace lumitree::testing;
+
+namespace
+{
+
+using Corners = std::array<Vec3, 3>;
+
+BuildOptions gridOf(const std::array<int, 3>& resolution)
+{
+  BuildOptions options = optionsOf(Structure::Grid);
+  options.gridResolution = resolution;
+  return options;
+}
+
+TEST(Grid, ALatticeOfRaysAgainstBruteForce)
+{
+  const auto triangles = latticeTriangles(80, 8, 1);
+  const Rays rays = latticeRays(60000, 10, 2);
+  for (const auto& surface : { surfaceOf<float>(triangles), surfaceOf<double>(triangles) })
+  {
+    EXPECT_EQ(differences(surface, optionsOf(Structure::Grid), rays), 0u);
+    const Vec3 size = surface->bounds().size();
+    // Planes at whole numbers: rays run in faces, along edges and through corners of cells.
+    EXPECT_EQ(differences(surface, gridOf({ static_cast<int>(size[0]), static_cast<int>(size[1]),
+                                     static_cast<int>(size[2]) }),
+                rays),
+      0u);
+  }
+}
+
+TEST(Grid, EveryResolutionGivesTheSameAnswers)
+{
+  const auto surface = surfaceOf<float>(data::teapot(3));
+  const Rays rays = raysAround(*surface, 500, 3);
+  for (const std::array<int, 3>& resolution :
+    { std::array<int, 3>{ 1, 1, 1 }, { 1, 1, 200 }, { 2, 3, 5 }, { 64, 64, 64 }, { 4096, 1, 1 } })
+  {
+    EXPECT_EQ(differences(surface, gridOf(resolution), rays), 0u) << ::testing::PrintToString(resolution);
+  }
+}
+
+TEST(Grid, ScalesAndOffsets)
+{
+  const auto triangles = latticeTriangles(60, 8, 4);
+  const Rays rays = latticeRays(300, 10, 5);
+  const auto placed = [&](double scale, double offset) {
+    auto moved = triangles;
+    for (Corners& t : moved)
+    {
+      for (Vec3& p : t)
+      {
+        p = scale * p + Vec3{ offset, -offset, offset };
+      }
+    }
+    Rays movedRays = rays;
+    for (std::size_t i = 0; i < movedRays.origins.size(); ++i)
+    {
+      movedRays.origins[i] = scale * movedRays.origins[i] + (i % 3 == 1 ? -offset : offset);
+      movedRays.directions[i] *= scale;
+    }
+    return differences(surfaceOf<double>(moved), optionsOf(Structure::Grid), movedRays);
+  };
+  EXPECT_EQ(placed(0x1p-400, 0), 0u);
+  EXPECT_EQ(placed(0x1p-120, 0), 0u);
+  EXPECT_EQ(placed(0x1p120, 0), 0u);
+  EXPECT_EQ(placed(0x1p400, 0), 0u);
+  EXPECT_EQ(placed(1, 0x1p24), 0u);
+  EXPECT_EQ(placed(1, 0x1p52), 0u);
+}
+
+TEST(Grid, AFlatSceneIsNotDividedAcross)
+{
+  std::vector<Corners> triangles;
+  for (int i = 0; i < 400; ++i)
+  {
+    const Vec3 p = { static_cast<double>(i % 20), static_cast<double>(i / 20), 3 };
+    triangles.push_back({ p, p + Vec3{ 1, 0, 0 }, p + Vec3{ 0, 1, 0 } });
+  }
+  const auto surface = surfaceOf<float>(triangles);
+  EXPECT_EQ(differences(surface, optionsOf(Structure::Grid), raysAround(*surface, 3000, 6)), 0u);
+  const auto grid = build(surface, optionsOf(Structure::Grid));
+  EXPECT_GT(grid->statistics().leaves, 50u);
+  for (const HierarchyNode& node : grid->hierarchy().nodes)
+  {
+    EXPECT_EQ(node.box.lower[2], node.box.upper[2]);
+  }
+}
+
+TEST(Grid, MemoryIsBounded)
+{
+  const auto stadium = surfaceOf<double>(data::teapotInStadium(10, 1e6));
+  BuildOptions options = optionsOf(Structure::Grid);
+  options.gridDensity = 100;
+  const auto grid = build(stadium, options);
+  EXPECT_LE(grid->statistics().references, 65536 + 16 * stadium->size());
+  EXPECT_LT(grid->statistics().memory, std::size_t{ 1 } << 28);
+
+  EXPECT_THROW((void)build(stadium, gridOf({ 1024, 1024, 1024 })), std::invalid_argument);
+}
+
+TEST(Grid, OptionsOutOfRangeAreRefused)
+{
+  const auto surface = surfaceOf<float>(data::cornellBox());
+  for (const double density : { 0.0, -1.0, 1001.0, std::nan("") })
+  {
+    BuildOptions options;
+    options.gridDensity = density;
+    EXPECT_THROW((void)build(surface, options), std::invalid_argument) << density;
+  }
+  for (const std::array<int, 3>& resolution :
+    { std::array<int, 3>{ 0, 1, 1 }, { 1, -1, 1 }, { 1, 1, (1 << 20) + 1 } })
+  {
+    EXPECT_THROW((void)build(surface, gridOf(resolution)), std::invalid_argument);
+  }
+  BuildOptions a = gridOf({ 1, 2, 3 });
+  BuildOptions b = a;
+  EXPECT_TRUE(a == b);
+  b.gridResolution[2] = 4;
+  EXPECT_FALSE(a == b);
+  a = b;
+  b.gridDensity = 2;
+  EXPECT_FALSE(a == b);
+}
+
+TEST(Grid, CellsSteppedAreThoseOnTheWay)
+{
+  // A triangle at either end of ten cells.
+  const auto surface = surfaceOf<double>(std::vector<Corners>{ { Vec3{ 0, 0, 0 }, Vec3{ 0, 1, 0 }, Vec3{ 0, 0, 1 } },
+    { Vec3{ 10, 0, 0 }, Vec3{ 10, 1, 0 }, Vec3{ 10, 0, 1 } } });
+  const auto grid = build(surface, gridOf({ 10, 1, 1 }));
+  const auto cells = [&](const Ray& ray) {
+    Rays rays;
+    rays.add(ray);
+    RayCounters counters;
+    QueryOptions options = with(Precision::Exact);
+    options.perRay = &counters;
+    Hit hit;
+    grid->closest(rays.batch(), &hit, options);
+    return counters.cells;
+  };
+  EXPECT_EQ(cells({ { 0.5, 0.25, 0.25 }, { 1, 0, 0 } }), 10u);
+  EXPECT_EQ(cells({ { -1, 0.25, 0.25 }, { 1, 0, 0 } }), 1u); // stops at the first hit
+  EXPECT_EQ(cells({ { 0.5, 0.25, 0.25 }, { 1, 0, 0 }, 0, 2 }), 3u);
+  EXPECT_EQ(cells({ { 0.5, 0.25, 0.25 }, { 1, 0, 0 }, 0, 2.5 }), 4u); // ends on a plane: both sides
+  EXPECT_EQ(cells({ { 5, 0.25, 0.25 }, { 0, 1, 0 } }), 2u);           // runs in a plane: both sides
+  EXPECT_EQ(cells({ { 5.5, 0.25, 0.25 }, { 0, -1, 0 } }), 1u);
+  EXPECT_EQ(cells({ { 5, 2, 0.25 }, { 1, 0, 0 } }), 0u); // passes beside
+}
+
+} // namespace
