@@ -68,7 +68,8 @@ std::shared_ptr<const Accelerator> build(
   checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
   checkRange("KD-tree build", static_cast<int>(asked.kdBuild), 0, kdBuildCount - 1);
   checkGrid(asked);
-  // Builders compare and convert coordinates: with subnormals flushed they would enclose other numbers.
+  // Builders compare and convert coordinates: with subnormals flushed they would enclose other
+  // numbers.
   const FloatEnvironment environment;
   BuildOptions options = asked;
   if (options.structure == Structure::Auto)

@@ -24,10 +24,11 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// A structure over a surface, ready for batches of rays. Immutable: any number of threads may query it.
+/// A structure over a surface, ready for batches of rays. Immutable: any number of threads may
+/// query it.
 ///
-/// A primitive is hit when the closed segment of the ray meets the closed triangle and the ray is not
-/// parallel to the triangle's plane. Of several hits at the same t, the lowest primitive wins.
+/// A primitive is hit when the closed segment of the ray meets the closed triangle and the ray is
+/// not parallel to the triangle's plane. Of several hits at the same t, the lowest primitive wins.
 /// The outputs hold one element per ray of the batch and are written whole.
 class LUMITREE_ACCEL_EXPORT Accelerator
 {
@@ -74,8 +75,9 @@ private:
   std::shared_ptr<const Surface> surface_;
 };
 
-/// Builds what the options ask for through the registry of back ends. Throws std::invalid_argument for
-/// options out of range and UnknownStructure (Registry.h) for a structure that this build lacks.
+/// Builds what the options ask for through the registry of back ends. Throws std::invalid_argument
+/// for options out of range and UnknownStructure (Registry.h) for a structure that this build
+/// lacks.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> build(
   std::shared_ptr<const Surface> surface, const BuildOptions& options = {});
 

@@ -16,8 +16,8 @@ struct Box
 {
   Vec3 lower = { std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
     std::numeric_limits<double>::infinity() };
-  Vec3 upper = { -std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  Vec3 upper = { -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity() };
 
   void extend(const Vec3& p)
   {

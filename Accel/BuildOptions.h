@@ -21,12 +21,14 @@ struct BuildOptions
   KdBuild kdBuild = KdBuild::Sah;
   int leafSize = 4;  ///< trees: split nodes with more primitives than this; 1…1024
   int maxDepth = 64; ///< trees: a node this deep becomes a leaf whatever it holds; 1…64
-  /// Grid: cells per primitive when gridResolution is automatic; above 0, at most 1000. Textbooks advise up to 27;
-  /// here four primitives of a cell are tested at once, and from 0.25 to 54 on the teapot and the city 0.25 … 0.5 was
-  /// fastest.
+  /// Grid: cells per primitive when gridResolution is automatic; above 0, at most 1000. Textbooks
+  /// advise up to 27; here four primitives of a cell are tested at once, and from 0.25 to 54 on the
+  /// teapot and the city 0.25 … 0.5 was fastest.
   double gridDensity = 0.5;
-  std::array<int, 3> gridResolution = { 0, 0, 0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
-  bool embreeRobust = true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
+  std::array<int, 3> gridResolution = { 0, 0,
+    0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
+  bool embreeRobust =
+    true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
 
   friend bool operator==(const BuildOptions& a, const BuildOptions& b)
   {
@@ -39,14 +41,15 @@ struct BuildOptions
 /// What building took and what came of it.
 struct BuildStatistics
 {
-  std::size_t nodes = 0;      ///< interior nodes and leaves
+  std::size_t nodes = 0; ///< interior nodes and leaves
   std::size_t leaves = 0;
-  int depth = 0;              ///< of the deepest leaf; the root has depth 0
-  double sahCost = 0.0;       ///< expected cost of a random ray that meets the root: (Σ area(n) c(n)) / area(root),
-                              ///< c = 1 for an interior node, number of primitives for a leaf
+  int depth = 0;        ///< of the deepest leaf; the root has depth 0
+  double sahCost = 0.0; ///< expected cost of a random ray that meets the root: (Σ area(n) c(n)) /
+                        ///< area(root), c = 1 for an interior node, number of primitives for a leaf
   std::size_t references = 0; ///< primitives counted once per leaf that holds them
-  double duplication = 0.0;   ///< references / primitives that can be hit; 1 where nothing is held twice
-  std::size_t memory = 0;     ///< bytes of the structure, the surface not included
+  double duplication =
+    0.0; ///< references / primitives that can be hit; 1 where nothing is held twice
+  std::size_t memory = 0; ///< bytes of the structure, the surface not included
   double buildSeconds = 0.0;
 };
 

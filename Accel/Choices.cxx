@@ -26,8 +26,7 @@ std::string_view nameOf(const std::array<std::string_view, N>& names, int value)
 }
 
 template <class Choice, std::size_t N>
-std::optional<Choice> fromName(
-  const std::array<std::string_view, N>& names, std::string_view text)
+std::optional<Choice> fromName(const std::array<std::string_view, N>& names, std::string_view text)
 {
   for (std::size_t i = 0; i < N; ++i)
   {

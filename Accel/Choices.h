@@ -8,8 +8,9 @@
 #include <optional>
 #include <string_view>
 
-/// The choices a caller makes by name. The values are part of the data model (they are stored in state
-/// files and arrays): they are never renumbered, and a choice that a build lacks is reported, not remapped.
+/// The choices a caller makes by name. The values are part of the data model (they are stored in
+/// state files and arrays): they are never renumbered, and a choice that a build lacks is reported,
+/// not remapped.
 namespace lumitree
 {
 
@@ -50,7 +51,8 @@ inline constexpr int bvhBuildCount = 2;
 enum class KdBuild : int
 {
   SpatialMedian = 0, ///< the textbook's: longest axis of the cell, in the middle
-  Sah = 1            ///< surface-area heuristic over the bounds of what lies in the cell (Wald and Havran 2006)
+  Sah =
+    1 ///< surface-area heuristic over the bounds of what lies in the cell (Wald and Havran 2006)
 };
 inline constexpr int kdBuildCount = 2;
 

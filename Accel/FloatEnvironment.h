@@ -12,8 +12,8 @@
 namespace lumitree
 {
 
-/// Sets round-to-nearest with subnormals kept for its lifetime and restores what was there. Hosts change
-/// both: interval arithmetic rounds upward, audio and game code flushes subnormals.
+/// Sets round-to-nearest with subnormals kept for its lifetime and restores what was there. Hosts
+/// change both: interval arithmetic rounds upward, audio and game code flushes subnormals.
 class FloatEnvironment
 {
 public:
@@ -29,7 +29,10 @@ public:
 #endif
   }
 
-  ~FloatEnvironment() { std::fesetenv(&this->saved_); }
+  ~FloatEnvironment()
+  {
+    std::fesetenv(&this->saved_);
+  }
 
   FloatEnvironment(const FloatEnvironment&) = delete;
   FloatEnvironment& operator=(const FloatEnvironment&) = delete;

@@ -12,20 +12,23 @@
 namespace lumitree
 {
 
-/// A node as others see it. Nodes are listed so that a parent comes before its children; the root is
-/// node 0. Visits (QueryOptions::perNode) use the same numbering.
+/// A node as others see it. Nodes are listed so that a parent comes before its children; the root
+/// is node 0. Visits (QueryOptions::perNode) use the same numbering.
 struct HierarchyNode
 {
   Box box;                  ///< the node's cell, or what bounds its polyhedron
   std::int64_t parent = -1; ///< -1 for the root
   std::int32_t depth = 0;
   bool leaf = false;
-  std::int32_t splitAxis = -1;     ///< 0, 1, 2, or -1 where no axis plane splits the node
+  std::int32_t splitAxis = -1; ///< 0, 1, 2, or -1 where no axis plane splits the node
   double splitPosition = 0.0;
-  std::uint32_t firstReference = 0; ///< leaves: its primitives are references[first … first + count - 1]
-  std::uint32_t referenceCount = 0; ///< leaves: primitives held; interior nodes: those of all leaves below
-  double cost = 0.0; ///< the node's share of the surface-area cost: area / area(root) times 1 (interior) or
-                     ///< its primitives (leaf); the sum over all nodes is BuildStatistics::sahCost
+  std::uint32_t firstReference =
+    0; ///< leaves: its primitives are references[first … first + count - 1]
+  std::uint32_t referenceCount =
+    0; ///< leaves: primitives held; interior nodes: those of all leaves below
+  double cost =
+    0.0; ///< the node's share of the surface-area cost: area / area(root) times 1 (interior) or
+         ///< its primitives (leaf); the sum over all nodes is BuildStatistics::sahCost
 };
 
 /// Any structure, walked as a flat list of nodes.
@@ -41,7 +44,8 @@ struct BuildStatistics;
 /// Fills in each node's cost and each interior node's number of references from the leaves.
 void completeHierarchy(HierarchyView& view);
 
-/// Nodes, leaves, depth, references, duplication and surface-area cost of a hierarchy over a surface.
+/// Nodes, leaves, depth, references, duplication and surface-area cost of a hierarchy over a
+/// surface.
 [[nodiscard]] BuildStatistics describe(const HierarchyView& view, const Surface& surface);
 
 } // namespace lumitree

@@ -14,8 +14,9 @@ namespace lumitree
 using PrimitiveId = std::uint32_t;
 inline constexpr PrimitiveId noPrimitive = std::numeric_limits<PrimitiveId>::max();
 
-/// Where a ray meets a primitive. The point is origin + t direction; on a triangle (v0, v1, v2) it is also
-/// (1 - u - v) v0 + u v1 + v v2. A miss has primitive == noPrimitive, t = infinity, u = v = 0.
+/// Where a ray meets a primitive. The point is origin + t direction; on a triangle (v0, v1, v2) it
+/// is also (1 - u - v) v0 + u v1 + v v2. A miss has primitive == noPrimitive, t = infinity, u = v =
+/// 0.
 struct Hit
 {
   double t = std::numeric_limits<double>::infinity();
@@ -25,8 +26,8 @@ struct Hit
 };
 
 /// Every hit of a batch: those of ray i are hits[offsets[i]] … hits[offsets[i + 1] - 1], ordered by
-/// (t, primitive). Exact orders by the exact t; the t reported of hits that nearly coincide is off by up to 2^-26 of it
-/// and so may descend by that much from one to the next.
+/// (t, primitive). Exact orders by the exact t; the t reported of hits that nearly coincide is off
+/// by up to 2^-26 of it and so may descend by that much from one to the next.
 struct AllHits
 {
   std::vector<std::uint64_t> offsets; ///< rays + 1

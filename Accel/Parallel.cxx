@@ -31,7 +31,8 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
   std::atomic<std::size_t> done{ 0 };
   const auto stopped = [&] { return control && control->stop.load(std::memory_order_relaxed); };
 
-  const auto runChunk = [&](std::size_t i) {
+  const auto runChunk = [&](std::size_t i)
+  {
     if (stopped())
     {
       return;
@@ -62,17 +63,20 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     tbb::task_arena arena(threads > 0 ? std::min(threads, allowed) : tbb::task_arena::automatic);
     happensBefore(spawned);
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          happensAfter(spawned);
-          for (std::size_t i = range.begin(); i != range.end(); ++i)
+    arena.execute(
+      [&]
+      {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
+          [&](const tbb::blocked_range<std::size_t>& range)
           {
-            runChunk(i);
-          }
-          happensBefore(finished);
-        });
-    });
+            happensAfter(spawned);
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+            {
+              runChunk(i);
+            }
+            happensBefore(finished);
+          });
+      });
     happensAfter(finished);
   }
   return done.load() == chunks;

@@ -15,14 +15,15 @@ namespace lumitree
 /// What the canonical single-ray walk of one ray cost, whatever batching does.
 struct RayCounters
 {
-  std::uint32_t nodes = 0;      ///< nodes entered, leaves included; of a grid: the grid itself and its occupied cells
-  std::uint32_t cells = 0;      ///< cells stepped through, empty ones included; 0 for all but a grid
-  std::uint32_t leaves = 0;     ///< leaves (or occupied cells) whose primitives were tested
+  std::uint32_t nodes =
+    0; ///< nodes entered, leaves included; of a grid: the grid itself and its occupied cells
+  std::uint32_t cells = 0;  ///< cells stepped through, empty ones included; 0 for all but a grid
+  std::uint32_t leaves = 0; ///< leaves (or occupied cells) whose primitives were tested
   std::uint32_t primitives = 0; ///< primitives tested, a repeated test counted again
 };
 
-/// How a long job talks to the thread that started it. Only that thread calls onProgress; workers read
-/// the flag.
+/// How a long job talks to the thread that started it. Only that thread calls onProgress; workers
+/// read the flag.
 struct JobControl
 {
   /// Told the fraction done, 0…1; returns false to stop the job. May be empty.
@@ -36,8 +37,8 @@ struct QueryOptions
   Precision precision = Precision::Fast;
   int threads = 0; ///< 0: as many as oneTBB gives
   JobControl* control = nullptr;
-  RayCounters* perRay = nullptr;       ///< one per ray, overwritten; null: not counted
-  std::uint64_t* perNode = nullptr;    ///< visits, one per node of hierarchy(), added to; or null
+  RayCounters* perRay = nullptr;    ///< one per ray, overwritten; null: not counted
+  std::uint64_t* perNode = nullptr; ///< visits, one per node of hierarchy(), added to; or null
 };
 
 /// What is to be known of a batch beside its answers.

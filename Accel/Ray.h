@@ -12,8 +12,8 @@
 namespace lumitree
 {
 
-/// The closed segment { origin + t direction : tMin <= t <= tMax }. t is in units of |direction|, which
-/// is never normalised. Limits may be infinite and tMin may be negative.
+/// The closed segment { origin + t direction : tMin <= t <= tMax }. t is in units of |direction|,
+/// which is never normalised. Limits may be infinite and tMin may be negative.
 struct Ray
 {
   Vec3 origin = { 0.0, 0.0, 0.0 };
@@ -26,8 +26,9 @@ struct Ray
 /// coordinates cannot overflow.
 inline constexpr double coordinateLimit = 1e300;
 
-/// Whether a ray can be traced: finite origin and direction within coordinateLimit, direction not zero,
-/// tMin <= tMax, neither NaN. A ray that is not valid hits nothing and is counted (QueryReport).
+/// Whether a ray can be traced: finite origin and direction within coordinateLimit, direction not
+/// zero, tMin <= tMax, neither NaN. A ray that is not valid hits nothing and is counted
+/// (QueryReport).
 [[nodiscard]] inline bool isValid(const Ray& ray)
 {
   bool ok = ray.tMin <= ray.tMax;

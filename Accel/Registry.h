@@ -29,8 +29,8 @@ struct Backend
     build;
 };
 
-/// The back ends of this process. It lives in this shared library, so that there is one; other libraries
-/// (CGAL, under its own licence) add theirs when they are loaded. Thread-safe.
+/// The back ends of this process. It lives in this shared library, so that there is one; other
+/// libraries (CGAL, under its own licence) add theirs when they are loaded. Thread-safe.
 class LUMITREE_ACCEL_EXPORT Registry
 {
 public:

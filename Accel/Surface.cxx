@@ -95,17 +95,19 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap s
   checkSources(this->sources_, this->triangles_.size());
 
   std::vector<Kind> kinds(this->triangles_.size());
-  parallelFor(this->triangles_.size(), 16384, 0, nullptr, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  parallelFor(this->triangles_.size(), 16384, 0, nullptr,
+    [&](std::size_t begin, std::size_t end)
     {
-      const Triangle& t = this->triangles_[i];
-      if (std::max({ t[0], t[1], t[2] }) >= this->points_.count)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        throw std::invalid_argument("a triangle names a point that does not exist");
+        const Triangle& t = this->triangles_[i];
+        if (std::max({ t[0], t[1], t[2] }) >= this->points_.count)
+        {
+          throw std::invalid_argument("a triangle names a point that does not exist");
+        }
+        kinds[i] = classify(this->vertices(static_cast<PrimitiveId>(i)));
       }
-      kinds[i] = classify(this->vertices(static_cast<PrimitiveId>(i)));
-    }
-  });
+    });
 
   const FloatEnvironment environment;
   this->hittable_.reserve(kinds.size());
@@ -131,8 +133,8 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap s
 SourceCell Surface::source(PrimitiveId i) const
 {
   SourceCell source;
-  source.cell = this->sources_.cells.empty() ? static_cast<std::int64_t>(i)
-                                             : this->sources_.cells[i];
+  source.cell =
+    this->sources_.cells.empty() ? static_cast<std::int64_t>(i) : this->sources_.cells[i];
   if (!this->sources_.blocks.empty())
   {
     const auto after = std::upper_bound(this->sources_.blocks.begin(), this->sources_.blocks.end(),
@@ -144,7 +146,8 @@ SourceCell Surface::source(PrimitiveId i) const
 
 std::size_t Surface::memory() const
 {
-  const std::size_t scalar = this->scalar() == ArrayView::Scalar::Float ? sizeof(float) : sizeof(double);
+  const std::size_t scalar =
+    this->scalar() == ArrayView::Scalar::Float ? sizeof(float) : sizeof(double);
   return 3 * scalar * this->points_.count + this->triangles_.capacity() * sizeof(Triangle) +
     this->sources_.cells.capacity() * sizeof(std::int64_t) +
     this->hittable_.capacity() * sizeof(PrimitiveId);

@@ -23,7 +23,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Points of a surface, float or double, kept as given (never converted, never moved).
 struct PointArray
 {
-  ArrayView values;      ///< count triples
+  ArrayView values; ///< count triples
   std::size_t count = 0;
   std::shared_ptr<const void> owner; ///< keeps the memory alive
 
@@ -48,22 +48,22 @@ struct SourceBlock
   std::int64_t composite = 0;
 };
 
-/// Where primitives came from. Primitives are stored in the order of (dataset, cell), so that the lowest
-/// primitive is also the lowest cell.
+/// Where primitives came from. Primitives are stored in the order of (dataset, cell), so that the
+/// lowest primitive is also the lowest cell.
 struct SourceMap
 {
-  std::vector<std::int64_t> cells;  ///< one per primitive; empty: primitive i is cell i
+  std::vector<std::int64_t> cells; ///< one per primitive; empty: primitive i is cell i
   std::vector<SourceBlock> blocks; ///< ascending by first; empty: one dataset, flat index 0
 };
 
-/// What the surfaces of a scene are made of: immutable triangles, shared by every structure built over
-/// them. Triangles with a coordinate that is not finite (or beyond coordinateLimit) and triangles of
-/// zero area (decided exactly) stay in the numbering but are never hit.
+/// What the surfaces of a scene are made of: immutable triangles, shared by every structure built
+/// over them. Triangles with a coordinate that is not finite (or beyond coordinateLimit) and
+/// triangles of zero area (decided exactly) stay in the numbering but are never hit.
 class LUMITREE_ACCEL_EXPORT Surface
 {
 public:
-  /// Throws std::invalid_argument when a triangle names a point that does not exist, when there are more
-  /// than 2^32 - 2 triangles, or when the map does not fit the triangles.
+  /// Throws std::invalid_argument when a triangle names a point that does not exist, when there are
+  /// more than 2^32 - 2 triangles, or when the map does not fit the triangles.
   Surface(PointArray points, std::vector<Triangle> triangles, SourceMap sources = {});
 
   [[nodiscard]] std::size_t pointCount() const { return this->points_.count; }

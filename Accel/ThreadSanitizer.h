@@ -3,8 +3,9 @@
 #ifndef Lumitree_Accel_ThreadSanitizer_h
 #define Lumitree_Accel_ThreadSanitizer_h
 
-// The oneTBB of a distribution is not instrumented, so ThreadSanitizer cannot see that a task starts after
-// it was spawned and ends before parallel_for returns. These two say so; in other builds they are nothing.
+// The oneTBB of a distribution is not instrumented, so ThreadSanitizer cannot see that a task
+// starts after it was spawned and ends before parallel_for returns. These two say so; in other
+// builds they are nothing.
 
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
@@ -13,7 +14,8 @@
 namespace lumitree
 {
 
-/// What was done before this call on one thread is seen after happensAfter of the same place on another.
+/// What was done before this call on one thread is seen after happensAfter of the same place on
+/// another.
 inline void happensBefore([[maybe_unused]] char& place)
 {
 #if defined(__SANITIZE_THREAD__)

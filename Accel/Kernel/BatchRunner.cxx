@@ -22,7 +22,8 @@ constexpr std::size_t raysPerChunk = 1024;
 class BatchRunner::Chunk
 {
 public:
-  Chunk(const BatchRunner& runner, const RayBatch& rays, QueryKind query, const QueryOptions& options)
+  Chunk(
+    const BatchRunner& runner, const RayBatch& rays, QueryKind query, const QueryOptions& options)
     : runner_(runner)
     , rays_(rays)
     , options_(options)
@@ -124,13 +125,15 @@ BatchRunner::BatchRunner(const Surface& surface, const void* structure, Structur
 QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
   const std::function<void(std::size_t, std::size_t, Chunk&)>& body) const
 {
-  // Visits are counted per chunk and then added, so chunks are large where the structure has many nodes.
+  // Visits are counted per chunk and then added, so chunks are large where the structure has many
+  // nodes.
   const std::size_t chunk =
     options.perNode ? std::max(raysPerChunk, this->nodeCount_ / 4) : raysPerChunk;
   QueryReport report;
   std::mutex mutex;
-  report.completed = parallelFor(
-    rays.size, chunk, options.threads, options.control, [&](std::size_t begin, std::size_t end) {
+  report.completed = parallelFor(rays.size, chunk, options.threads, options.control,
+    [&](std::size_t begin, std::size_t end)
+    {
       Chunk work(*this, rays, query, options);
       body(begin, end, work);
       const std::lock_guard<std::mutex> lock(mutex);
@@ -139,12 +142,12 @@ QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryO
   return report;
 }
 
-QueryReport BatchRunner::closest(
-  const RayBatch& rays, Hit* hits, const QueryOptions& options) const
+QueryReport BatchRunner::closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const
 {
   std::fill_n(hits, rays.size, Hit{});
   return this->run(rays, QueryKind::Closest, options,
-    [&](std::size_t begin, std::size_t end, Chunk& work) {
+    [&](std::size_t begin, std::size_t end, Chunk& work)
+    {
       for (std::size_t i = begin; i < end; ++i)
       {
         if (work.trace(i) && work.state().best.primitive != noPrimitive)
@@ -159,8 +162,9 @@ QueryReport BatchRunner::any(
   const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const
 {
   std::fill_n(hit, rays.size, std::uint8_t{ 0 });
-  return this->run(
-    rays, QueryKind::Any, options, [&](std::size_t begin, std::size_t end, Chunk& work) {
+  return this->run(rays, QueryKind::Any, options,
+    [&](std::size_t begin, std::size_t end, Chunk& work)
+    {
       for (std::size_t i = begin; i < end; ++i)
       {
         hit[i] = work.trace(i) && work.state().best.primitive != noPrimitive ? 1 : 0;
@@ -172,8 +176,9 @@ QueryReport BatchRunner::count(
   const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const
 {
   std::fill_n(counts, rays.size, std::uint32_t{ 0 });
-  return this->run(
-    rays, QueryKind::Count, options, [&](std::size_t begin, std::size_t end, Chunk& work) {
+  return this->run(rays, QueryKind::Count, options,
+    [&](std::size_t begin, std::size_t end, Chunk& work)
+    {
       for (std::size_t i = begin; i < end; ++i)
       {
         if (work.trace(i))
@@ -185,8 +190,7 @@ QueryReport BatchRunner::count(
     });
 }
 
-QueryReport BatchRunner::all(
-  const RayBatch& rays, AllHits& out, const QueryOptions& options) const
+QueryReport BatchRunner::all(const RayBatch& rays, AllHits& out, const QueryOptions& options) const
 {
   // Each chunk keeps its hits until every ray's number of hits, and so its place, is known.
   struct Part
@@ -197,8 +201,9 @@ QueryReport BatchRunner::all(
   std::vector<Part> parts;
   std::mutex mutex;
   out.offsets.assign(rays.size + 1, 0);
-  const QueryReport report = this->run(
-    rays, QueryKind::All, options, [&](std::size_t begin, std::size_t end, Chunk& work) {
+  const QueryReport report = this->run(rays, QueryKind::All, options,
+    [&](std::size_t begin, std::size_t end, Chunk& work)
+    {
       Part part{ begin, {} };
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -220,13 +225,15 @@ QueryReport BatchRunner::all(
     out.offsets[i + 1] += out.offsets[i];
   }
   out.hits.resize(out.offsets.back());
-  parallelFor(parts.size(), 1, options.threads, nullptr, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
+  parallelFor(parts.size(), 1, options.threads, nullptr,
+    [&](std::size_t begin, std::size_t end)
     {
-      std::copy(parts[p].hits.begin(), parts[p].hits.end(),
-        out.hits.begin() + static_cast<std::ptrdiff_t>(out.offsets[parts[p].firstRay]));
-    }
-  });
+      for (std::size_t p = begin; p < end; ++p)
+      {
+        std::copy(parts[p].hits.begin(), parts[p].hits.end(),
+          out.hits.begin() + static_cast<std::ptrdiff_t>(out.offsets[parts[p].firstRay]));
+      }
+    });
   return report;
 }
 

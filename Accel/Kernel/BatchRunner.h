@@ -26,17 +26,15 @@ template <class Tree>
 StructureWalks baselineWalks()
 {
   StructureWalks walks;
-  walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor) {
-    static_cast<const Tree*>(tree)->walk(state.box, visitor);
-  };
-  walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor) {
-    static_cast<const Tree*>(tree)->walk(state.box, visitor);
-  };
+  walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor)
+  { static_cast<const Tree*>(tree)->walk(state.box, visitor); };
+  walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
+  { static_cast<const Tree*>(tree)->walk(state.box, visitor); };
   return walks;
 }
 
-/// Answers batches by walking ray after ray: threads, counters, validity, skipping and the order of all hits, once for
-/// every structure.
+/// Answers batches by walking ray after ray: threads, counters, validity, skipping and the order of
+/// all hits, once for every structure.
 class BatchRunner
 {
 public:

@@ -25,8 +25,9 @@ HWY_INLINE Double4 edgeFunctions(const Double4 d[3], const Double4 e[3], const D
     d[2] * (e[0] * p[1] - e[1] * p[0]);
 }
 
-/// The lanes of a block that the precision may count as hit, as bits. Certain: lanes whose edge functions certainly have both
-/// signs are out. Otherwise (Fast) lanes whose edge functions have both signs are out.
+/// The lanes of a block that the precision may count as hit, as bits. Certain: lanes whose edge
+/// functions certainly have both signs are out. Otherwise (Fast) lanes whose edge functions have
+/// both signs are out.
 template <bool Certain, class T>
 HWY_INLINE unsigned candidateLanes(const FilterRay& ray, const TriangleBlock<T>& block)
 {

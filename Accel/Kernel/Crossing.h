@@ -14,10 +14,10 @@ namespace lumitree
 struct Crossing
 {
   double t = 0.0;
-  double tLow = 0.0;  ///< tLow <= exact t <= tHigh, given that the triangle is hit
+  double tLow = 0.0; ///< tLow <= exact t <= tHigh, given that the triangle is hit
   double tHigh = 0.0;
-  double u = 0.0; ///< weight of vertex 1
-  double v = 0.0; ///< weight of vertex 2
+  double u = 0.0;   ///< weight of vertex 1
+  double v = 0.0;   ///< weight of vertex 2
   EdgeValues edges; ///< with this triangle's own bound, tighter than its block's
 };
 
@@ -47,19 +47,20 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
   return e;
 }
 
-/// t and (u, v) of a ray known, or taken, to hit the triangle: a pure function of the two, so that every path
-/// through every structure gives the same bits.
+/// t and (u, v) of a ray known, or taken, to hit the triangle: a pure function of the two, so that
+/// every path through every structure gives the same bits.
 ///
-/// t is the mean of the vertices' t along the direction's dominant axis, weighted by the edge functions. It therefore
-/// always lies within the triangle's own range of t, however grazing the ray is. With weights w_i, each wrong by
-/// e at most, and S their sum, the mean is wrong by at most 3 e R / (S - 3 e), R the range of the vertices' values; what
-/// differences, shares and sums round is below 10 u max|a|, u = 2^-53, and the pad for it 16 u max|a|.
+/// t is the mean of the vertices' t along the direction's dominant axis, weighted by the edge
+/// functions. It therefore always lies within the triangle's own range of t, however grazing the
+/// ray is. With weights w_i, each wrong by e at most, and S their sum, the mean is wrong by at most
+/// 3 e R / (S - 3 e), R the range of the vertices' values; what differences, shares and sums round
+/// is below 10 u max|a|, u = 2^-53, and the pad for it 16 u max|a|.
 inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
   const EdgeValues e = edgeValues(ray, vertices);
   const int k = ray.axis;
-  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k],
-    vertices[1][k] - ray.origin[k], vertices[2][k] - ray.origin[k] };
+  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
+    vertices[2][k] - ray.origin[k] };
 
   // Weights of the majority's sign; what rounding put on the other side is 0 within its error.
   const double sign = e.u + e.v + e.w >= 0.0 ? 1.0 : -1.0;
@@ -95,7 +96,8 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
     x.v = 1.0 / 3.0;
   }
   const double pad = spread + rounding;
-  const auto parameter = [&](double along) {
+  const auto parameter = [&](double along)
+  {
     // A subnormal direction has no reciprocal.
     return std::isfinite(ray.perAxis) ? along * ray.perAxis : along / ray.direction[k];
   };

@@ -27,12 +27,13 @@ struct FilterRay
   }
 
   /// With A, B, C the vertices less the origin, the edge function of the edge PQ is
-  /// d · ((Q - P) x P'), P' = P - origin. Its rounding error: both differences 1 u, each product of the cross
-  /// product 3 u, their difference 4 u, times d 5 u, summing three terms 7 u at most, all relative to the sum of the
-  /// magnitudes of the six products, which is at most 2 |d|_1 E M (E: largest component of an edge, M: of A, B, C).
-  /// So |error| <= 14 u (1 + 8 u) |d|_1 E M. The bound itself is rounded four times, hence 16 u, u = 2^-53. What products
-  /// lose by underflow is below boundFloor. 2 E M and 2 |d|_1 E M bound every intermediate value: where one could overflow,
-  /// so does the bound, and then nothing is certain.
+  /// d · ((Q - P) x P'), P' = P - origin. Its rounding error: both differences 1 u, each product of
+  /// the cross product 3 u, their difference 4 u, times d 5 u, summing three terms 7 u at most, all
+  /// relative to the sum of the magnitudes of the six products, which is at most 2 |d|_1 E M (E:
+  /// largest component of an edge, M: of A, B, C). So |error| <= 14 u (1 + 8 u) |d|_1 E M. The
+  /// bound itself is rounded four times, hence 16 u, u = 2^-53. What products lose by underflow is
+  /// below boundFloor. 2 E M and 2 |d|_1 E M bound every intermediate value: where one could
+  /// overflow, so does the bound, and then nothing is certain.
   static constexpr double edgeBound = 16 * 0x1p-53;
 
   Vec3 origin;
@@ -43,8 +44,8 @@ struct FilterRay
   double perAxis; ///< 1 / that component
 };
 
-/// The edge functions of one triangle, the weights of its vertices, and the bound of their error: the point
-/// of the ray in the triangle's plane is (u v0 + v v1 + w v2) / (u + v + w).
+/// The edge functions of one triangle, the weights of its vertices, and the bound of their error:
+/// the point of the ray in the triangle's plane is (u v0 + v v1 + w v2) / (u + v + w).
 struct EdgeValues
 {
   double u = 0.0;
@@ -54,8 +55,8 @@ struct EdgeValues
 };
 
 /// d · (e x p)
-inline double edgeFunction(double dx, double dy, double dz, double ex, double ey, double ez,
-  double px, double py, double pz)
+inline double edgeFunction(
+  double dx, double dy, double dz, double ex, double ey, double ez, double px, double py, double pz)
 {
   return (dx * (ey * pz - ez * py) + dy * (ez * px - ex * pz)) + dz * (ex * py - ey * px);
 }

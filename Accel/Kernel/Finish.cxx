@@ -28,7 +28,8 @@ Hit finish(const RayState& state, const Candidate& c, Precision precision)
   hit.t = c.t;
   hit.u = c.u;
   hit.v = c.v;
-  // Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to t.
+  // Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to
+  // t.
   if (precision == Precision::Exact && c.tHigh - c.tLow > 0x1p-26 * std::fabs(c.t))
   {
     hit.t = exact::crossingParameter(state.ray, state.surface.vertices(c.primitive));

@@ -12,7 +12,8 @@ namespace lumitree
 /// Orders what All or Count collected, by the precision's order, duplicates dropped.
 void arrange(RayState& state, Precision precision);
 
-/// The hit that a candidate is: a pure function of ray and primitive, the same bits from every structure.
+/// The hit that a candidate is: a pure function of ray and primitive, the same bits from every
+/// structure.
 [[nodiscard]] Hit finish(const RayState& state, const Candidate& candidate, Precision precision);
 
 } // namespace lumitree

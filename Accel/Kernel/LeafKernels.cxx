@@ -17,13 +17,16 @@ namespace HWY_NAMESPACE
 
 LeafKernel chooseLeafKernel(ArrayView::Scalar scalar, bool certain)
 {
-  return withChoices(scalar, certain, [](auto t, auto isCertain) -> LeafKernel {
-    return [](RayState& state, const void* store, const Span& span) HWY_ATTR {
-      using T = decltype(t);
-      const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
-      testLeaf<decltype(isCertain)::value>(state, blocks, span);
-    };
-  });
+  return withChoices(scalar, certain,
+    [](auto t, auto isCertain) -> LeafKernel
+    {
+      return [](RayState& state, const void* store, const Span& span) HWY_ATTR
+      {
+        using T = decltype(t);
+        const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
+        testLeaf<decltype(isCertain)::value>(state, blocks, span);
+      };
+    });
 }
 
 } // namespace HWY_NAMESPACE

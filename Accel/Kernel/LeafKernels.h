@@ -8,12 +8,13 @@
 namespace lumitree
 {
 
-/// Tests the primitives of a leaf; those that the filter keeps go to state.settle. blocks points to a TriangleBlocks<T> of
-/// the scalar type the kernel was chosen for.
+/// Tests the primitives of a leaf; those that the filter keeps go to state.settle. blocks points to
+/// a TriangleBlocks<T> of the scalar type the kernel was chosen for.
 using LeafKernel = void (*)(RayState& state, const void* blocks, const Span& span);
 
-/// The kernel for a scalar type, for the best instruction set at hand. It stands behind a pointer, so that structures do not
-/// multiply with it. A certain kernel keeps all that floating point cannot rule out, the other what looks like a hit.
+/// The kernel for a scalar type, for the best instruction set at hand. It stands behind a pointer,
+/// so that structures do not multiply with it. A certain kernel keeps all that floating point
+/// cannot rule out, the other what looks like a hit.
 [[nodiscard]] LeafKernel leafKernel(ArrayView::Scalar scalar, bool certain);
 
 } // namespace lumitree

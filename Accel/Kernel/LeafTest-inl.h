@@ -19,7 +19,8 @@ namespace lumitree
 namespace HWY_NAMESPACE
 {
 
-/// Filters the primitives of a leaf and has the candidates settled. Certain is as in candidateLanes.
+/// Filters the primitives of a leaf and has the candidates settled. Certain is as in
+/// candidateLanes.
 template <bool Certain, class T>
 HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const Span& span)
 {
@@ -43,9 +44,8 @@ HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const
 template <class F>
 auto withChoices(ArrayView::Scalar scalar, bool certain, F f)
 {
-  const auto withScalar = [&](auto isCertain) {
-    return scalar == ArrayView::Scalar::Float ? f(float{}, isCertain) : f(double{}, isCertain);
-  };
+  const auto withScalar = [&](auto isCertain)
+  { return scalar == ArrayView::Scalar::Float ? f(float{}, isCertain) : f(double{}, isCertain); };
   return certain ? withScalar(std::true_type{}) : withScalar(std::false_type{});
 }
 

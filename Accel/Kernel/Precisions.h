@@ -9,16 +9,17 @@
 namespace lumitree
 {
 
-/// A precision settles each candidate (does the segment hit the primitive?) and orders two that are hit. In all of them a
-/// hit whose t is beyond the range of doubles is a miss: infinity is what a miss reports.
+/// A precision settles each candidate (does the segment hit the primitive?) and orders two that are
+/// hit. In all of them a hit whose t is beyond the range of doubles is a miss: infinity is what a
+/// miss reports.
 
-/// The order of hits that floating point only nearly knows: by the key, then by primitive. The key is t, but not less than
-/// the t at which the ray enters the primitive's own box, and a primitive whose box the ray does not meet is not hit. So
-/// neither the hits nor their order depend on which other boxes the structure put around the primitive.
+/// The order of hits that floating point only nearly knows: by the key, then by primitive. The key
+/// is t, but not less than the t at which the ray enters the primitive's own box, and a primitive
+/// whose box the ray does not meet is not hit. So neither the hits nor their order depend on which
+/// other boxes the structure put around the primitive.
 struct OrderByKey
 {
-  static bool place(
-    const RayState& state, const Corners& vertices, const Crossing& x, Candidate& c)
+  static bool place(const RayState& state, const Corners& vertices, const Crossing& x, Candidate& c)
   {
     c.take(x);
     Box box;
@@ -46,12 +47,13 @@ struct FastPrecision : OrderByKey
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
-    return apparentlyHit(x.edges) && std::isfinite(x.t) && x.t >= state.ray.tMin && x.t <= state.ray.tMax && place(state, vertices, x, c);
+    return apparentlyHit(x.edges) && std::isfinite(x.t) && x.t >= state.ray.tMin &&
+      x.t <= state.ray.tMax && place(state, vertices, x, c);
   }
 };
 
-/// Whatever the filter cannot rule out is a hit. Nothing passes through a closed mesh: a triangle that contains an exact
-/// crossing point is never ruled out.
+/// Whatever the filter cannot rule out is a hit. Nothing passes through a closed mesh: a triangle
+/// that contains an exact crossing point is never ruled out.
 struct WatertightPrecision : OrderByKey
 {
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
@@ -59,12 +61,13 @@ struct WatertightPrecision : OrderByKey
     const Crossing x = crossing(state.filter, vertices);
     state.exactTests += surelyHit(x.edges) ? 0 : 1;
     // By the triangle's own bound: a block's depends on which triangles share it.
-    return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh >= state.ray.tMin && x.tLow <= state.ray.tMax &&
-      place(state, vertices, x, c);
+    return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh >= state.ray.tMin &&
+      x.tLow <= state.ray.tMax && place(state, vertices, x, c);
   }
 };
 
-/// What rational arithmetic on the stored numbers says: the filter decides nearly always, exact arithmetic the rest.
+/// What rational arithmetic on the stored numbers says: the filter decides nearly always, exact
+/// arithmetic the rest.
 struct ExactPrecision
 {
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
@@ -84,7 +87,8 @@ struct ExactPrecision
     }
     c.take(x);
     c.key = x.t;
-    return std::isfinite(x.t) && atLeast(state, vertices, x, state.ray.tMin) && atMost(state, vertices, x);
+    return std::isfinite(x.t) && atLeast(state, vertices, x, state.ray.tMin) &&
+      atMost(state, vertices, x);
   }
 
   static bool before(RayState& state, const Candidate& a, const Candidate& b)
@@ -106,8 +110,7 @@ struct ExactPrecision
   static double stopAt(const Candidate& c) { return c.tHigh; }
 
 private:
-  static bool atLeast(
-    RayState& state, const Corners& vertices, const Crossing& x, double limit)
+  static bool atLeast(RayState& state, const Corners& vertices, const Crossing& x, double limit)
   {
     if (x.tLow >= limit)
     {

@@ -8,8 +8,8 @@
 namespace lumitree
 {
 
-/// A query alone owns order, ties and duplicates: offer takes a candidate that is hit and lowers tStop as far as the
-/// query allows.
+/// A query alone owns order, ties and duplicates: offer takes a candidate that is hit and lowers
+/// tStop as far as the query allows.
 
 struct ClosestQuery
 {
@@ -36,7 +36,8 @@ struct AnyQuery
   }
 };
 
-/// All and Count: every candidate is kept; a structure that holds a primitive in several leaves offers it several times.
+/// All and Count: every candidate is kept; a structure that holds a primitive in several leaves
+/// offers it several times.
 struct CollectQuery
 {
   template <class Precision>
@@ -50,9 +51,9 @@ struct CollectQuery
 inline void dropDuplicates(RayState& state)
 {
   auto& found = state.found;
-  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-    return a.primitive < b.primitive || (a.primitive == b.primitive && a.key < b.key);
-  });
+  std::sort(found.begin(), found.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return a.primitive < b.primitive || (a.primitive == b.primitive && a.key < b.key); });
   found.erase(std::unique(found.begin(), found.end(),
                 [](const Candidate& a, const Candidate& b) { return a.primitive == b.primitive; }),
     found.end());

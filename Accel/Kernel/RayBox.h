@@ -12,12 +12,13 @@ namespace lumitree
 /// All that a structure may know of a ray: enough to meet boxes, nothing of triangles.
 ///
 /// The slab test never misses a box that the ray meets in exact arithmetic. Each plane is at
-/// t = (plane - origin) * (1 / direction): three roundings, a relative error below 3.1 u with u = 2^-53 while
-/// nothing underflows. The pad is 2^-40, far above that, so that the double arithmetic of leaf tests,
-/// too, lands inside a box they found; what underflow can lose is below the absolute pad. A direction component of
-/// 0 gives ±infinity, or NaN on the plane itself, which the comparisons ignore; a component whose
-/// reciprocal overflows gives NaN everywhere and so does not constrain (Ize 2013; Williams et al. 2005).
-/// Planes are chosen by the sign of the direction, and every comparison is <=: a flat box is met.
+/// t = (plane - origin) * (1 / direction): three roundings, a relative error below 3.1 u with u =
+/// 2^-53 while nothing underflows. The pad is 2^-40, far above that, so that the double arithmetic
+/// of leaf tests, too, lands inside a box they found; what underflow can lose is below the absolute
+/// pad. A direction component of 0 gives ±infinity, or NaN on the plane itself, which the
+/// comparisons ignore; a component whose reciprocal overflows gives NaN everywhere and so does not
+/// constrain (Ize 2013; Williams et al. 2005). Planes are chosen by the sign of the direction, and
+/// every comparison is <=: a flat box is met.
 class RayBox
 {
 public:
@@ -51,8 +52,8 @@ public:
   /// 1 / direction; ±infinity for ±0, NaN where it would overflow.
   [[nodiscard]] double reciprocal(int axis) const { return this->reciprocal_[axis]; }
 
-  /// Whether the closed segment, cut at tStop, may meet the closed box. tEnter becomes a lower bound of
-  /// the t at which it does.
+  /// Whether the closed segment, cut at tStop, may meet the closed box. tEnter becomes a lower
+  /// bound of the t at which it does.
   [[nodiscard]] bool meets(const Box& box, double tStop, double& tEnter) const
   {
     double tExit = 0.0;
@@ -90,8 +91,9 @@ public:
     return tEnter <= tExit && tEnter <= tStop;
   }
 
-  /// Bounds of the t at which the line crosses the plane of points that have this position on the axis: ±infinity where the
-  /// line runs beside the plane; NaN where it runs in the plane, and where the axis does not constrain.
+  /// Bounds of the t at which the line crosses the plane of points that have this position on the
+  /// axis: ±infinity where the line runs beside the plane; NaN where it runs in the plane, and
+  /// where the axis does not constrain.
   void crosses(int axis, double position, double& tLow, double& tHigh) const
   {
     double t = (position - this->origin_[axis]) * this->reciprocal_[axis];
@@ -113,7 +115,8 @@ private:
     return t * (t > 0.0 ? 1.0 + relativePad : 1.0 - relativePad) + absolutePad;
   }
 
-  /// Whether the ray is parallel to a slab and outside it. Else what is infinite is so because it overflowed.
+  /// Whether the ray is parallel to a slab and outside it. Else what is infinite is so because it
+  /// overflowed.
   [[nodiscard]] bool passesBeside(const Box& box) const
   {
     bool beside = false;

@@ -41,7 +41,8 @@ using Corners = std::array<Vec3, 3>;
 /// Decides about one primitive that the filter could not rule out; corners are its vertices.
 using SettleFunction = void (*)(RayState& state, const Corners& corners, PrimitiveId primitive);
 
-/// All that one ray carries through a structure. Reused from ray to ray, so that found keeps its memory.
+/// All that one ray carries through a structure. Reused from ray to ray, so that found keeps its
+/// memory.
 struct RayState
 {
   explicit RayState(const Surface& s)

@@ -9,8 +9,8 @@
 namespace lumitree
 {
 
-/// What becomes of a candidate under a precision and a query. Compiled once and called for the one or two primitives a ray
-/// that the filter keeps, so that the SIMD kernels know neither.
+/// What becomes of a candidate under a precision and a query. Compiled once and called for the one
+/// or two primitives a ray that the filter keeps, so that the SIMD kernels know neither.
 [[nodiscard]] SettleFunction settleFunction(Precision precision, QueryKind query);
 
 } // namespace lumitree

@@ -19,8 +19,8 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// N numbers in as many registers as the instruction set needs: the width of the algorithm is the same everywhere, and
-/// so are the bits. Nothing is fused, no reciprocal is approximate.
+/// N numbers in as many registers as the instruction set needs: the width of the algorithm is the
+/// same everywhere, and so are the bits. Nothing is fused, no reciprocal is approximate.
 template <class T, int N>
 struct Pack
 {
@@ -97,8 +97,8 @@ HWY_INLINE Pack<T, N> raise(const Pack<T, N>& value, const Pack<T, N>& accumulat
   // maxps gives its second operand when either is NaN.
   return each(value, accumulator, [](auto x, auto y) HWY_ATTR { return hn::Max(x, y); });
 #else
-  return each(value, accumulator,
-    [](auto x, auto y) HWY_ATTR { return hn::IfThenElse(hn::Gt(x, y), x, y); });
+  return each(
+    value, accumulator, [](auto x, auto y) HWY_ATTR { return hn::IfThenElse(hn::Gt(x, y), x, y); });
 #endif
 }
 
@@ -109,8 +109,8 @@ HWY_INLINE Pack<T, N> lower(const Pack<T, N>& value, const Pack<T, N>& accumulat
 #if HWY_ARCH_X86
   return each(value, accumulator, [](auto x, auto y) HWY_ATTR { return hn::Min(x, y); });
 #else
-  return each(value, accumulator,
-    [](auto x, auto y) HWY_ATTR { return hn::IfThenElse(hn::Lt(x, y), x, y); });
+  return each(
+    value, accumulator, [](auto x, auto y) HWY_ATTR { return hn::IfThenElse(hn::Lt(x, y), x, y); });
 #endif
 }
 

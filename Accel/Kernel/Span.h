@@ -14,10 +14,11 @@ namespace lumitree
 ///
 ///     template <class Visitor> void walk(const RayBox&, Visitor&) const;
 ///
-/// which calls visitor.node(i) for each node it enters, visitor.cell() for each grid cell it steps through, and
-/// tStop = visitor.leaf(span) for each leaf; visitor.tStop() is the bound before the first leaf. The spans visited are a
-/// superset of the leaves that the closed segment meets. Revisits are allowed. A leaf is skipped only when its tEnter >
-/// tStop, so no structure ever decides that a hit "belongs" to a cell.
+/// which calls visitor.node(i) for each node it enters, visitor.cell() for each grid cell it steps
+/// through, and tStop = visitor.leaf(span) for each leaf; visitor.tStop() is the bound before the
+/// first leaf. The spans visited are a superset of the leaves that the closed segment meets.
+/// Revisits are allowed. A leaf is skipped only when its tEnter > tStop, so no structure ever
+/// decides that a hit "belongs" to a cell.
 struct Span
 {
   std::uint32_t firstBlock = 0; ///< first block of four primitives

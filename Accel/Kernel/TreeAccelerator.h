@@ -39,8 +39,7 @@ public:
 
   [[nodiscard]] bool supports(Precision) const override { return true; }
 
-  QueryReport closest(
-    const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
+  QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
   {
     return this->runner().closest(rays, hits, options);
   }
@@ -62,7 +61,10 @@ public:
     return this->runner().count(rays, counts, options);
   }
 
-  [[nodiscard]] HierarchyView hierarchy() const override { return this->tree_->view(this->blocks_); }
+  [[nodiscard]] HierarchyView hierarchy() const override
+  {
+    return this->tree_->view(this->blocks_);
+  }
 
 private:
   [[nodiscard]] BatchRunner runner() const

@@ -12,14 +12,15 @@ namespace lumitree
 
 inline constexpr int blockWidth = 4;
 
-/// Four triangles side by side, coordinates as the surface stores them (T is float or double). Lanes
-/// without a triangle repeat the first one and have the id noPrimitive.
+/// Four triangles side by side, coordinates as the surface stores them (T is float or double).
+/// Lanes without a triangle repeat the first one and have the id noPrimitive.
 template <class T>
 struct TriangleBlock
 {
   T v[9][blockWidth]; ///< x, y, z of vertex 0, then of vertices 1 and 2
   PrimitiveId id[blockWidth];
-  double edge; ///< no component of an edge of these triangles is larger, computed as stored - stored
+  double
+    edge; ///< no component of an edge of these triangles is larger, computed as stored - stored
 
   [[nodiscard]] std::array<Vec3, 3> corners(int lane) const
   {
@@ -45,10 +46,7 @@ public:
     return first;
   }
 
-  [[nodiscard]] const TriangleBlock<T>& operator[](std::size_t i) const
-  {
-    return this->blocks_[i];
-  }
+  [[nodiscard]] const TriangleBlock<T>& operator[](std::size_t i) const { return this->blocks_[i]; }
 
   [[nodiscard]] std::size_t memory() const
   {

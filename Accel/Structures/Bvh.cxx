@@ -22,7 +22,8 @@ public:
     this->bvh_ = buildBvhNodes(surface, splitter, options.maxDepth);
     this->firstBlock_.resize(this->bvh_.nodes.size());
     std::visit(
-      [&](auto& store) {
+      [&](auto& store)
+      {
         store.reserve(this->bvh_.nodes.size() / 2 + surface.hittable().size() / blockWidth + 1);
         for (std::size_t i = 0; i < this->bvh_.nodes.size(); ++i)
         {
@@ -70,8 +71,8 @@ public:
         const bool meetsRight = ray.meets(this->bvh_.nodes[right.node].box, tStop, right.tEnter);
         if (meetsLeft && meetsRight)
         {
-          const bool rightFirst = right.tEnter < left.tEnter ||
-            (right.tEnter == left.tEnter && ray.negative(node.axis));
+          const bool rightFirst =
+            right.tEnter < left.tEnter || (right.tEnter == left.tEnter && ray.negative(node.axis));
           stack[height++] = rightFirst ? left : right;
           current = rightFirst ? right : left;
           continue;

@@ -24,13 +24,15 @@ std::vector<BuildReference> makeReferences(const Surface& surface)
 {
   const auto& ids = surface.hittable();
   std::vector<BuildReference> references(ids.size());
-  parallelFor(ids.size(), 16384, 0, nullptr, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  parallelFor(ids.size(), 16384, 0, nullptr,
+    [&](std::size_t begin, std::size_t end)
     {
-      const Box box = surface.box(ids[i]);
-      references[i] = { box, box.centre(), ids[i] };
-    }
-  });
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Box box = surface.box(ids[i]);
+        references[i] = { box, box.centre(), ids[i] };
+      }
+    });
   return references;
 }
 
@@ -60,8 +62,8 @@ BvhNodes buildBvhNodes(const Surface& surface, const BvhSplitter& split, int max
     if (node.leaf)
     {
       // Primitives in ascending order: the leaf does not depend on how its node came about.
-      std::sort(begin, end,
-        [](const BuildReference& a, const BuildReference& b) { return a.id < b.id; });
+      std::sort(
+        begin, end, [](const BuildReference& a, const BuildReference& b) { return a.id < b.id; });
       node.first = static_cast<std::uint32_t>(task.begin);
       node.count = static_cast<std::uint32_t>(task.end - task.begin);
     }

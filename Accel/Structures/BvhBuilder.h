@@ -31,11 +31,12 @@ struct BvhSplit
 using BvhSplitter =
   std::function<BvhSplit(const Box& bounds, BuildReference* begin, BuildReference* end)>;
 
-/// The textbook's split: along the longest axis of the node's box, at the object in the middle. Leaves hold up to leafSize.
+/// The textbook's split: along the longest axis of the node's box, at the object in the middle.
+/// Leaves hold up to leafSize.
 [[nodiscard]] BvhSplitter medianSplitter(int leafSize);
 
-/// The surface-area heuristic over 16 bins of the centres on each axis (Wald 2007). Where no plane parts the centres,
-/// the object in the middle does.
+/// The surface-area heuristic over 16 bins of the centres on each axis (Wald 2007). Where no plane
+/// parts the centres, the object in the middle does.
 [[nodiscard]] BvhSplitter binnedSahSplitter(int leafSize);
 
 /// Divides from the root on until the splitter stops or maxDepth is reached. Deterministic.

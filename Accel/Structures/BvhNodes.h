@@ -12,8 +12,9 @@
 namespace lumitree
 {
 
-/// A node of a binary hierarchy. Interior: count is 0, first is the left child, the right one follows it. Leaf: count
-/// references from first on. Boxes are those of the stored coordinates, exactly (a float is a double).
+/// A node of a binary hierarchy. Interior: count is 0, first is the left child, the right one
+/// follows it. Leaf: count references from first on. Boxes are those of the stored coordinates,
+/// exactly (a float is a double).
 struct BvhNode
 {
   Box box;

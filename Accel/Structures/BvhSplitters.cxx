@@ -12,14 +12,14 @@ namespace
 
 constexpr int binCount = 16;
 
-/// The object in the middle by centre along the axis, ties by id, so that the division is the same everywhere.
+/// The object in the middle by centre along the axis, ties by id, so that the division is the same
+/// everywhere.
 BvhSplit splitAtMedian(int axis, BuildReference* begin, BuildReference* end)
 {
   BuildReference* const middle = begin + (end - begin) / 2;
-  std::nth_element(
-    begin, middle, end, [axis](const BuildReference& a, const BuildReference& b) {
-      return a.centre[axis] < b.centre[axis] ||
-        (a.centre[axis] == b.centre[axis] && a.id < b.id);
+  std::nth_element(begin, middle, end,
+    [axis](const BuildReference& a, const BuildReference& b) {
+      return a.centre[axis] < b.centre[axis] || (a.centre[axis] == b.centre[axis] && a.id < b.id);
     });
   return { middle, axis };
 }
@@ -118,14 +118,14 @@ Plane bestPlane(const Box& centres, const BuildReference* begin, const BuildRefe
 BvhSplitter medianSplitter(int leafSize)
 {
   return [leafSize](const Box& bounds, BuildReference* begin, BuildReference* end) {
-    return end - begin <= leafSize ? BvhSplit{}
-                                   : splitAtMedian(bounds.longestAxis(), begin, end);
+    return end - begin <= leafSize ? BvhSplit{} : splitAtMedian(bounds.longestAxis(), begin, end);
   };
 }
 
 BvhSplitter binnedSahSplitter(int leafSize)
 {
-  return [leafSize](const Box& bounds, BuildReference* begin, BuildReference* end) -> BvhSplit {
+  return [leafSize](const Box& bounds, BuildReference* begin, BuildReference* end) -> BvhSplit
+  {
     const std::size_t count = static_cast<std::size_t>(end - begin);
     if (count <= 1)
     {
@@ -152,9 +152,8 @@ BvhSplitter binnedSahSplitter(int leafSize)
       return splitAtMedian(bounds.longestAxis(), begin, end);
     }
     const Binning binning(centres, plane.axis);
-    BuildReference* const middle = std::partition(begin, end, [&](const BuildReference& r) {
-      return binning.of(r.centre[plane.axis]) < plane.bin;
-    });
+    BuildReference* const middle = std::partition(begin, end,
+      [&](const BuildReference& r) { return binning.of(r.centre[plane.axis]) < plane.bin; });
     return { middle, plane.axis };
   };
 }

@@ -34,15 +34,18 @@ public:
     visitor.node(0);
     do
     {
-      sweep.forEachCell([&](std::ptrdiff_t cell) {
-        visitor.cell();
-        const std::uint32_t leaf = this->cells_.leafOf[static_cast<std::size_t>(cell)];
-        if (leaf > 0)
+      sweep.forEachCell(
+        [&](std::ptrdiff_t cell)
         {
-          visitor.node(leaf);
-          visitor.leaf({ this->firstBlock_[leaf - 1], this->cells_.leaves[leaf - 1].count, sweep.tEnter() });
-        }
-      });
+          visitor.cell();
+          const std::uint32_t leaf = this->cells_.leafOf[static_cast<std::size_t>(cell)];
+          if (leaf > 0)
+          {
+            visitor.node(leaf);
+            visitor.leaf(
+              { this->firstBlock_[leaf - 1], this->cells_.leaves[leaf - 1].count, sweep.tEnter() });
+          }
+        });
     } while (sweep.advance(visitor.tStop()));
   }
 
@@ -93,7 +96,8 @@ public:
   }
 
 private:
-  /// Cells that hold one and the same single primitive share its block: a large triangle fills many.
+  /// Cells that hold one and the same single primitive share its block: a large triangle fills
+  /// many.
   template <class Store>
   void fill(const Surface& surface, Store& store)
   {

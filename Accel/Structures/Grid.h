@@ -8,7 +8,8 @@
 namespace lumitree
 {
 
-/// A uniform grid over the surface's bounds; BuildOptions::gridDensity and gridResolution say how fine.
+/// A uniform grid over the surface's bounds; BuildOptions::gridDensity and gridResolution say how
+/// fine.
 [[nodiscard]] std::shared_ptr<const Accelerator> buildGrid(
   std::shared_ptr<const Surface> surface, const BuildOptions& options);
 

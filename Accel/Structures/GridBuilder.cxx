@@ -52,7 +52,8 @@ public:
   [[nodiscard]] const std::vector<Reference>& references() const { return this->references_; }
 
 private:
-  /// Inserts every stride-th primitive until there are more references than the limit; how many were inserted.
+  /// Inserts every stride-th primitive until there are more references than the limit; how many
+  /// were inserted.
   std::size_t insertEach(const Surface& surface, std::size_t stride)
   {
     std::size_t done = 0;
@@ -67,7 +68,8 @@ private:
     return this->references_.size() <= this->limit_ ? done : std::min(done, all.size() - 1);
   }
 
-  /// Halves blocks of cells until one cell is left: a large triangle is not tested against every cell of its box.
+  /// Halves blocks of cells until one cell is left: a large triangle is not tested against every
+  /// cell of its box.
   void insert(const TriangleBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
   {
     int axis = 0;
@@ -146,8 +148,8 @@ GridCells buildAsAsked(const Surface& surface, const std::array<int, 3>& resolut
   Insertion insertion(lattice, greatestReferences);
   if (!insertion.insertAll(surface))
   {
-    throw std::length_error("in a grid of " + text(resolution) + " cells the surface needs more than " +
-      std::to_string(greatestReferences) + " references");
+    throw std::length_error("in a grid of " + text(resolution) +
+      " cells the surface needs more than " + std::to_string(greatestReferences) + " references");
   }
   return arrange(lattice, insertion.references());
 }
@@ -155,13 +157,16 @@ GridCells buildAsAsked(const Surface& surface, const std::array<int, 3>& resolut
 GridCells buildAutomatically(const Surface& surface, double density)
 {
   const std::size_t primitives = surface.hittable().size();
-  const std::size_t limit = std::min(fewReferences + referencesPerPrimitive * primitives,
-    std::max(greatestReferences, primitives));
-  double cells = std::min(std::max(density * static_cast<double>(primitives), 1.0), greatestAutomaticCells);
+  const std::size_t limit = std::min(
+    fewReferences + referencesPerPrimitive * primitives, std::max(greatestReferences, primitives));
+  double cells =
+    std::min(std::max(density * static_cast<double>(primitives), 1.0), greatestAutomaticCells);
   while (true)
   {
-    const GridLattice lattice(surface.bounds(), GridLattice::resolutionFor(surface.bounds(), cells));
-    // The number of references grows no faster than that of cells, so this factor does not overshoot.
+    const GridLattice lattice(
+      surface.bounds(), GridLattice::resolutionFor(surface.bounds(), cells));
+    // The number of references grows no faster than that of cells, so this factor does not
+    // overshoot.
     const double excess = Insertion(lattice, limit).estimate(surface) / static_cast<double>(limit);
     if (excess <= 1.0)
     {

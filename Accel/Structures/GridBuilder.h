@@ -27,9 +27,10 @@ struct GridCells
 
 /// Puts each primitive into every cell that its surface meets.
 ///
-/// Automatic resolution: gridDensity cells per primitive, at most 2^25 cells; lowered for as long as primitives would
-/// be held more than 16 times on average (65536 references are always allowed). A resolution that is asked for is kept, or
-/// refused: std::invalid_argument beyond 2^27 cells, std::length_error beyond 2^26 references.
+/// Automatic resolution: gridDensity cells per primitive, at most 2^25 cells; lowered for as long
+/// as primitives would be held more than 16 times on average (65536 references are always allowed).
+/// A resolution that is asked for is kept, or refused: std::invalid_argument beyond 2^27 cells,
+/// std::length_error beyond 2^26 references.
 [[nodiscard]] GridCells buildGridCells(const Surface& surface, const BuildOptions& options);
 
 } // namespace lumitree

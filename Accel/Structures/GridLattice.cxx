@@ -85,8 +85,8 @@ GridLattice::GridLattice(const Box& bounds, const std::array<int, 3>& resolution
 
 std::size_t GridLattice::cellCount() const
 {
-  return static_cast<std::size_t>(this->resolution_[0]) * static_cast<std::size_t>(this->resolution_[1]) *
-    static_cast<std::size_t>(this->resolution_[2]);
+  return static_cast<std::size_t>(this->resolution_[0]) *
+    static_cast<std::size_t>(this->resolution_[1]) * static_cast<std::size_t>(this->resolution_[2]);
 }
 
 int GridLattice::slabNear(int axis, double x) const

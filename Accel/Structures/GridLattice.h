@@ -19,13 +19,13 @@ struct SlabRange
   std::array<int, 3> last = { 0, 0, 0 };
 };
 
-/// The planes that cut a box into cells. Cells are what lies between stored planes, so that builder and walk speak of the
-/// same numbers.
+/// The planes that cut a box into cells. Cells are what lies between stored planes, so that builder
+/// and walk speak of the same numbers.
 class GridLattice
 {
 public:
-  /// Cells of a grid of about that many cells, all nearly cubes. An axis along which the box is thinner than such a
-  /// cell is not divided; no axis more than 2^20 times.
+  /// Cells of a grid of about that many cells, all nearly cubes. An axis along which the box is
+  /// thinner than such a cell is not divided; no axis more than 2^20 times.
   [[nodiscard]] static std::array<int, 3> resolutionFor(const Box& bounds, double cells);
 
   GridLattice() = default;
@@ -43,15 +43,19 @@ public:
   /// A slab near coordinate x: only rounding away from the one that holds it, if any does.
   [[nodiscard]] int slabNear(int axis, double x) const;
 
-  /// What a block of cells holds: the cells, and a margin of 2^-36 of the grid's size around them, inside the bounds. The
-  /// margin is for Fast and Watertight, which may take for hit what a ray misses by rounding.
+  /// What a block of cells holds: the cells, and a margin of 2^-36 of the grid's size around them,
+  /// inside the bounds. The margin is for Fast and Watertight, which may take for hit what a ray
+  /// misses by rounding.
   [[nodiscard]] Box box(const SlabRange& range) const;
 
   /// The slabs whose margin included meets a box inside the bounds.
   [[nodiscard]] SlabRange slabsOf(const Box& box) const;
 
 private:
-  [[nodiscard]] double low(int axis, int slab) const { return this->planes_[axis][slab] - this->margin_; }
+  [[nodiscard]] double low(int axis, int slab) const
+  {
+    return this->planes_[axis][slab] - this->margin_;
+  }
   [[nodiscard]] double high(int axis, int slab) const
   {
     return this->planes_[axis][slab + 1] + this->margin_;
@@ -59,7 +63,8 @@ private:
 
   Box bounds_;
   std::array<int, 3> resolution_ = { 1, 1, 1 };
-  std::array<std::vector<double>, 3> planes_; ///< resolution + 1 each, ascending, the first and last on the bounds
+  std::array<std::vector<double>, 3>
+    planes_; ///< resolution + 1 each, ascending, the first and last on the bounds
   Vec3 slabsPerUnit_ = { 0, 0, 0 };
   double margin_ = 0.0;
 };

@@ -50,13 +50,13 @@ GridSweep::GridSweep(const GridLattice& lattice, const RayBox& ray)
 void GridSweep::placeStill(Axis& axis, bool unknown)
 {
   axis.begin = axis.finish = infinity;
-  const auto outside = [&](double nearPlane, double farPlane) {
+  const auto outside = [&](double nearPlane, double farPlane)
+  {
     return axis.step > 0 ? axis.origin < nearPlane || axis.origin > farPlane
                          : axis.origin > nearPlane || axis.origin < farPlane;
   };
-  const auto slabOutside = [&](int slab) {
-    return !unknown && outside(axis.plane[slab * axis.step], axis.plane[(slab + 1) * axis.step]);
-  };
+  const auto slabOutside = [&](int slab)
+  { return !unknown && outside(axis.plane[slab * axis.step], axis.plane[(slab + 1) * axis.step]); };
   axis.last = axis.count - 1;
   if (!unknown && outside(axis.plane[0], axis.plane[axis.count * axis.step]))
   {

@@ -9,16 +9,18 @@
 namespace lumitree
 {
 
-/// A ray's way through a lattice: a three-dimensional digital differential analyser (Amanatides & Woo 1987) that keeps
-/// intervals in place of numbers.
+/// A ray's way through a lattice: a three-dimensional digital differential analyser (Amanatides &
+/// Woo 1987) that keeps intervals in place of numbers.
 ///
-/// Along an axis the ray crosses plane p at t = (p - origin) / direction, always computed from the plane itself. The true
-/// t lies within RayBox's pad of the computed one, so the ray is inside a slab for no longer than from the padded t of its
-/// near plane to the padded t of its far plane. At any t the slabs of an axis that the ray may be in are therefore one
-/// range, nearly always one slab and two close to a crossing. A cell is touched by the closed segment only if its three
-/// slabs' intervals have a t in common, and then it is found, once, when the last of the three begins: through a corner
-/// all eight cells are. Cells come in ascending order of that t, which is their certified tEnter.
-/// An axis with direction ±0 has the slabs that hold the origin, both of them on a plane.
+/// Along an axis the ray crosses plane p at t = (p - origin) / direction, always computed from the
+/// plane itself. The true t lies within RayBox's pad of the computed one, so the ray is inside a
+/// slab for no longer than from the padded t of its near plane to the padded t of its far plane. At
+/// any t the slabs of an axis that the ray may be in are therefore one range, nearly always one
+/// slab and two close to a crossing. A cell is touched by the closed segment only if its three
+/// slabs' intervals have a t in common, and then it is found, once, when the last of the three
+/// begins: through a corner all eight cells are. Cells come in ascending order of that t, which is
+/// their certified tEnter. An axis with direction ±0 has the slabs that hold the origin, both of
+/// them on a plane.
 class GridSweep
 {
 public:

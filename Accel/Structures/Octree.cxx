@@ -19,7 +19,8 @@ public:
     , firstBlock_(octree_.nodes.size())
   {
     std::visit(
-      [&](auto& store) {
+      [&](auto& store)
+      {
         for (std::size_t i = 0; i < this->octree_.nodes.size(); ++i)
         {
           const OctreeNode& node = this->octree_.nodes[i];

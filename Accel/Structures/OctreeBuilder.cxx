@@ -16,8 +16,8 @@ constexpr std::size_t referencesPerPrimitive = 16;
 /// See OctreeBuilder.h.
 constexpr std::size_t growthHalves = 3;
 
-/// Octants reach over their planes by this much of the root, for Fast and Watertight, which may take for hit what a ray
-/// misses by rounding.
+/// Octants reach over their planes by this much of the root, for Fast and Watertight, which may
+/// take for hit what a ray misses by rounding.
 constexpr double relativeMargin = 0x1p-36;
 
 /// A node of the level at work.
@@ -102,7 +102,8 @@ private:
     return octant;
   }
 
-  /// Appends the node's children to the tree and to the next level; false where the node must become a leaf.
+  /// Appends the node's children to the tree and to the next level; false where the node must
+  /// become a leaf.
   bool split(const Open& open, std::vector<Open>& next)
   {
     const Vec3 centre = open.octant.centre();
@@ -112,8 +113,8 @@ private:
       boxes[i] = this->boxOf(octantOf(open.octant, centre, i));
     }
     const std::size_t count = open.primitives.size();
-    const std::size_t allowed =
-      std::min(growthHalves * count / 2, this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
+    const std::size_t allowed = std::min(growthHalves * count / 2,
+      this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
     std::array<std::vector<PrimitiveId>, 8> held;
     std::size_t total = 0;
     for (const PrimitiveId id : open.primitives)

@@ -30,13 +30,17 @@ struct OctreeNodes
 
 inline constexpr int octreeDepthLimit = 21;
 
-/// The octree of a surface. The root is a cube on the lower corner of the bounds. A primitive is in every leaf that its
-/// surface meets. A node is split when it holds more than leafSize primitives and
+/// The octree of a surface. The root is a cube on the lower corner of the bounds. A primitive is in
+/// every leaf that its surface meets. A node is split when it holds more than leafSize primitives
+/// and
 ///   - lies above the depth limit: the smaller of maxDepth and 21;
-///   - its children together hold at most 1.5 times its primitives. A random ray that meets a cube meets a given octant
-///     with probability 1/4 (by surface area), so beyond 4 times nothing is gained; measured with leaves of four
-///     primitives to a block, 1.5 was fastest of 1.5, 2, 2.5 and 3 (teapot, city), with a tenth of the memory of 3;
-///   - the whole tree then holds primitives at most 16 times on average (65536 references are always allowed). Levels
+///   - its children together hold at most 1.5 times its primitives. A random ray that meets a cube
+///   meets a given octant
+///     with probability 1/4 (by surface area), so beyond 4 times nothing is gained; measured with
+///     leaves of four primitives to a block, 1.5 was fastest of 1.5, 2, 2.5 and 3 (teapot, city),
+///     with a tenth of the memory of 3;
+///   - the whole tree then holds primitives at most 16 times on average (65536 references are
+///   always allowed). Levels
 ///     are split one after the other, the shallow ones first.
 [[nodiscard]] OctreeNodes buildOctreeNodes(const Surface& surface, const BuildOptions& options);
 

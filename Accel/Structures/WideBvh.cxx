@@ -32,9 +32,8 @@ public:
   {
     StructureWalks walks;
     walks.kernel = wideBvhKernel;
-    walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor) {
-      wideBvhCountingWalk()(*static_cast<const WideBvhNodes*>(tree), state, visitor);
-    };
+    walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
+    { wideBvhCountingWalk()(*static_cast<const WideBvhNodes*>(tree), state, visitor); };
     return walks;
   }
 

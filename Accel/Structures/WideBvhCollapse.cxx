@@ -90,12 +90,13 @@ private:
     const Plan& right = this->plans_[node.first + 1];
     plan.primitives = left.primitives + right.primitives;
 
-    const auto best = [&](int lanes, std::uint8_t& split) {
+    const auto best = [&](int lanes, std::uint8_t& split)
+    {
       double least = std::numeric_limits<double>::infinity();
       for (int k = 1; k < lanes; ++k)
       {
-        const double cost = left.cost[std::min(k, wideArity - 1)] +
-          right.cost[std::min(lanes - k, wideArity - 1)];
+        const double cost =
+          left.cost[std::min(k, wideArity - 1)] + right.cost[std::min(lanes - k, wideArity - 1)];
         if (cost < least)
         {
           least = cost;

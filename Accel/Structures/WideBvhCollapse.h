@@ -11,8 +11,9 @@
 namespace lumitree
 {
 
-/// A node of the collapsed tree: a node of the binary tree that is kept, as a leaf of all primitives below it or with up to
-/// eight children, which stand side by side. Parents come before their children; node 0 is the root, never a leaf.
+/// A node of the collapsed tree: a node of the binary tree that is kept, as a leaf of all
+/// primitives below it or with up to eight children, which stand side by side. Parents come before
+/// their children; node 0 is the root, never a leaf.
 struct CollapsedNode
 {
   std::uint32_t binary = 0;
@@ -21,9 +22,9 @@ struct CollapsedNode
   std::uint32_t childCount = 0;
 };
 
-/// Collapses a binary hierarchy to one of eight children a node at the least surface-area cost that its boxes allow (Ylitie,
-/// Karras & Laine 2017, section 3.1, by dynamic programming): a node costs its area, a leaf of at most leafSize
-/// primitives its area times its blocks of four.
+/// Collapses a binary hierarchy to one of eight children a node at the least surface-area cost that
+/// its boxes allow (Ylitie, Karras & Laine 2017, section 3.1, by dynamic programming): a node costs
+/// its area, a leaf of at most leafSize primitives its area times its blocks of four.
 [[nodiscard]] std::vector<CollapsedNode> collapse(const BvhNodes& bvh, int leafSize);
 
 } // namespace lumitree

@@ -22,7 +22,8 @@ WideBvhFrame frameOf(const Box& bounds)
   return frame;
 }
 
-/// In the frame, rounded outward: the subtraction rounds to 2^-53 of the result, the conversion to 2^-24.
+/// In the frame, rounded outward: the subtraction rounds to 2^-53 of the result, the conversion to
+/// 2^-24.
 ///@{
 float roundedDown(double x, double centre, double scale)
 {
@@ -74,8 +75,8 @@ std::uint32_t appendLeaf(
   const Surface& surface, const BvhNodes& bvh, const Range& range, TriangleBlocks<T>& store)
 {
   // Ascending, so that a leaf does not depend on how its node came about.
-  std::vector<PrimitiveId> ids(bvh.references.begin() + range.first,
-    bvh.references.begin() + range.first + range.count);
+  std::vector<PrimitiveId> ids(
+    bvh.references.begin() + range.first, bvh.references.begin() + range.first + range.count);
   std::sort(ids.begin(), ids.end());
   return store.append(surface, ids.data(), ids.size());
 }

@@ -10,7 +10,8 @@
 namespace lumitree
 {
 
-/// Collapses a binary tree over a surface that is not empty and writes its nodes and the blocks of its leaves.
+/// Collapses a binary tree over a surface that is not empty and writes its nodes and the blocks of
+/// its leaves.
 [[nodiscard]] WideBvhNodes fillWideBvh(
   const Surface& surface, const BvhNodes& binary, int leafSize, LeafBlocks& blocks);
 

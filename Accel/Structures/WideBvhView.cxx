@@ -40,7 +40,8 @@ HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks)
   HierarchyView view;
   view.nodes.resize(1);
   view.nodes[0].leaf = tree.nodes.empty();
-  // The children of node n stand side by side from firstId[n] on, nodes in ascending order: as they are met here.
+  // The children of node n stand side by side from firstId[n] on, nodes in ascending order: as they
+  // are met here.
   std::vector<std::size_t> idOf(tree.nodes.size(), 0);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
   {
@@ -56,10 +57,8 @@ HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks)
       {
         child.firstReference = static_cast<std::uint32_t>(view.references.size());
         child.referenceCount = node.count[lane];
-        std::visit(
-          [&](const auto& store) {
-            appendReferences(store, node.child[lane], node.count[lane], view.references);
-          },
+        std::visit([&](const auto& store)
+          { appendReferences(store, node.child[lane], node.count[lane], view.references); },
           blocks);
       }
       else

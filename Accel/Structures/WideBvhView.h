@@ -10,7 +10,8 @@
 namespace lumitree
 {
 
-/// The tree as a flat list of nodes, with the boxes that its walk uses (outward in float, so a little larger than tight).
+/// The tree as a flat list of nodes, with the boxes that its walk uses (outward in float, so a
+/// little larger than tight).
 [[nodiscard]] HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks);
 
 } // namespace lumitree

@@ -50,7 +50,8 @@ struct Planes
     }
   }
 
-  /// Difference, reciprocal and product round to 2^-24 each, 3.1 · 2^-24 in all, and the padded reciprocal once more.
+  /// Difference, reciprocal and product round to 2^-24 each, 3.1 · 2^-24 in all, and the padded
+  /// reciprocal once more.
   static constexpr float slabPad = 0x1p-21f;
 
   Float8 originNear[3];
@@ -61,7 +62,8 @@ struct Planes
   int farRow[3];
 };
 
-/// Raises enter to the near planes' s and lowers exit to the far planes', lane by lane; NaN changes nothing.
+/// Raises enter to the near planes' s and lowers exit to the far planes', lane by lane; NaN changes
+/// nothing.
 HWY_INLINE void clip(const WideBvhNode& node, const Planes& planes, Float8& enter, Float8& exit)
 {
   for (int k = 0; k < 3; ++k)
@@ -73,14 +75,15 @@ HWY_INLINE void clip(const WideBvhNode& node, const Planes& planes, Float8& ente
   }
 }
 
-/// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside them. The slab test
-/// of RayBox in float; boxes and origin interval are rounded outward before.
-HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Planes& planes,
-  float stop, float* enters)
+/// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside
+/// them. The slab test of RayBox in float; boxes and origin interval are rounded outward before.
+HWY_INLINE unsigned meets(
+  const WideBvhNode& node, const WideRay& ray, const Planes& planes, float stop, float* enters)
 {
   if (ray.forward)
   {
-    // A negative s, however it is padded, stays below sMin. Underflow loses less than the boxes' own absolute pad.
+    // A negative s, however it is padded, stays below sMin. Underflow loses less than the boxes'
+    // own absolute pad.
     Float8 enter = Float8::all(ray.sMin);
     Float8 exit = Float8::all(stop);
     clip(node, planes, enter, exit);
@@ -100,13 +103,15 @@ HWY_INLINE unsigned meets(const WideBvhNode& node, const WideRay& ray, const Pla
   return ((enter <= exit) & (from <= exit) & (from <= Float8::all(stop))).bits();
 }
 
-/// Sorts the children met behind the nearest of them, which is returned: the farther ones wait on the stack, nearer
-/// on top, equal ones in the order of their lanes. Memory that the walk will need soon is fetched ahead.
+/// Sorts the children met behind the nearest of them, which is returned: the farther ones wait on
+/// the stack, nearer on top, equal ones in the order of their lanes. Memory that the walk will need
+/// soon is fetched ahead.
 template <class Fetch>
 HWY_INLINE Waiting nearest(const WideBvhNode& node, unsigned lanes, const float* enters,
   std::uint32_t firstId, Waiting* stack, int& height, Fetch fetch)
 {
-  const auto take = [&] {
+  const auto take = [&]
+  {
     const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
     lanes &= lanes - 1;
     const Waiting w = { node.child[lane], node.count[lane], enters[lane],
@@ -137,7 +142,8 @@ HWY_INLINE Waiting nearest(const WideBvhNode& node, unsigned lanes, const float*
   return best;
 }
 
-/// The walk: node(id) and leaf(span) are called as the contract of Span.h says; block(i) is the address of block i.
+/// The walk: node(id) and leaf(span) are called as the contract of Span.h says; block(i) is the
+/// address of block i.
 template <class Node, class Leaf, class Block>
 HWY_INLINE void walk(
   const WideBvhNodes& tree, RayState& state, Node enterNode, Leaf testLeafAt, Block blockAt)
@@ -149,7 +155,8 @@ HWY_INLINE void walk(
   const WideRay ray(tree.frame, state.ray);
   const Planes planes(ray);
   const WideBvhNode* const nodes = tree.nodes.data();
-  const auto fetch = [&](const Waiting& w) {
+  const auto fetch = [&](const Waiting& w)
+  {
     const char* const memory = w.count > 0 ? static_cast<const char*>(blockAt(w.child))
                                            : reinterpret_cast<const char*>(nodes + w.child);
     for (int line = 0; line < 4; ++line)
@@ -202,16 +209,20 @@ HWY_INLINE void walk(
 
 RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, bool certain)
 {
-  return withChoices(scalar, certain, [](auto t, auto isCertain) -> RayKernel {
-    return [](const void* structure, const void* store, RayState& state) HWY_ATTR {
-      using T = decltype(t);
-      const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
-      walk(
-        *static_cast<const WideBvhNodes*>(structure), state, [](std::uint32_t) {},
-        [&](const Span& span) HWY_ATTR { testLeaf<decltype(isCertain)::value>(state, blocks, span); },
-        [&](std::uint32_t i) -> const void* { return &blocks[i]; });
-    };
-  });
+  return withChoices(scalar, certain,
+    [](auto t, auto isCertain) -> RayKernel
+    {
+      return [](const void* structure, const void* store, RayState& state) HWY_ATTR
+      {
+        using T = decltype(t);
+        const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
+        walk(
+          *static_cast<const WideBvhNodes*>(structure), state, [](std::uint32_t) {},
+          [&](const Span& span) HWY_ATTR
+          { testLeaf<decltype(isCertain)::value>(state, blocks, span); },
+          [&](std::uint32_t i) -> const void* { return &blocks[i]; });
+      };
+    });
 }
 
 void countingWalk(const WideBvhNodes& tree, RayState& state, CountingVisitor& visitor)

@@ -10,10 +10,12 @@ namespace lumitree::testing
 {
 
 /// Triangles with corners on a lattice of whole numbers, small and large ones.
-inline std::vector<std::array<Vec3, 3>> latticeTriangles(std::size_t count, int extent, unsigned seed)
+inline std::vector<std::array<Vec3, 3>> latticeTriangles(
+  std::size_t count, int extent, unsigned seed)
 {
   Uniform uniform(seed);
-  const auto whole = [&](int size) { return static_cast<double>(uniform.index(static_cast<std::size_t>(size))); };
+  const auto whole = [&](int size)
+  { return static_cast<double>(uniform.index(static_cast<std::size_t>(size))); };
   std::vector<std::array<Vec3, 3>> triangles(count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -27,7 +29,8 @@ inline std::vector<std::array<Vec3, 3>> latticeTriangles(std::size_t count, int 
   return triangles;
 }
 
-/// Rays with origins and directions on the same lattice, many with components of ±0, some ending on it.
+/// Rays with origins and directions on the same lattice, many with components of ±0, some ending on
+/// it.
 inline Rays latticeRays(std::size_t count, int extent, unsigned seed)
 {
   Uniform uniform(seed);
@@ -51,9 +54,10 @@ inline Rays latticeRays(std::size_t count, int extent, unsigned seed)
   return rays;
 }
 
-/// How many rays have another closest hit, another number of hits, or another answer to "any" than brute force.
-inline std::size_t differences(const std::shared_ptr<const Surface>& surface, const BuildOptions& options,
-  const Rays& rays, Precision precision = Precision::Exact)
+/// How many rays have another closest hit, another number of hits, or another answer to "any" than
+/// brute force.
+inline std::size_t differences(const std::shared_ptr<const Surface>& surface,
+  const BuildOptions& options, const Rays& rays, Precision precision = Precision::Exact)
 {
   const auto oracle = build(surface, optionsOf(Structure::BruteForce));
   const auto asked = build(surface, options);

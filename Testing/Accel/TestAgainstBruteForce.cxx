@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every structure against brute force: all queries, all precisions, built-in scenes, float and double.
+// Every structure against brute force: all queries, all precisions, built-in scenes, float and
+// double.
 #include "TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ std::vector<Case> cases()
   return {
     { "box", surfaceOf<float>(data::cornellBox()), 2000 },
     { "teapot", surfaceOf<float>(data::teapot(4)), 2000 },
-    { "teapot in doubles, far away", surfaceOf<double>(data::teapot(4), { 5e5, 4.6e6, 100 }), 2000 },
+    { "teapot in doubles, far away", surfaceOf<double>(data::teapot(4), { 5e5, 4.6e6, 100 }),
+      2000 },
     { "city", surfaceOf<float>(data::city(2)), 2000 },
     { "stadium", surfaceOf<double>(data::teapotInStadium(4)), 2000 },
     { "cloud", surfaceOf<float>(data::randomCloud(500)), 2000 },
@@ -123,9 +125,9 @@ TEST_P(AgainstBruteForce, HundredThousandRaysAgree)
     const Rays rays = raysAround(*surface, 100000, 11);
     std::vector<Hit> wanted(rays.size());
     std::vector<Hit> hits(rays.size());
-    build(surface, optionsOf(Structure::BruteForce))
-      ->closest(rays.batch(), wanted.data(), options);
-    for (const Structure structure : { Structure::Bvh, Structure::WideBvh, Structure::KdTree, Structure::Grid, Structure::Octree })
+    build(surface, optionsOf(Structure::BruteForce))->closest(rays.batch(), wanted.data(), options);
+    for (const Structure structure :
+      { Structure::Bvh, Structure::WideBvh, Structure::KdTree, Structure::Grid, Structure::Octree })
     {
       build(surface, optionsOf(structure))->closest(rays.batch(), hits.data(), options);
       std::size_t differences = 0;

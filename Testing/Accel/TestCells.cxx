@@ -15,20 +15,23 @@ namespace
 
 using Corners = std::array<Vec3, 3>;
 
-/// Whether a structure looks for a primitive only where its surface is, and not wherever its box is.
+/// Whether a structure looks for a primitive only where its surface is, and not wherever its box
+/// is.
 bool dividesSpace(Structure structure)
 {
-  return structure == Structure::Grid || structure == Structure::Octree || structure == Structure::KdTree ||
-    structure == Structure::BspTree;
+  return structure == Structure::Grid || structure == Structure::Octree ||
+    structure == Structure::KdTree || structure == Structure::BspTree;
 }
 
-/// Fast and Watertight take a primitive for hit by a ray in its plane that passes it by, as long as the ray meets its box.
-/// What divides space may find fewer of these, never fewer than Exact has, and none that brute force has not.
+/// Fast and Watertight take a primitive for hit by a ray in its plane that passes it by, as long as
+/// the ray meets its box. What divides space may find fewer of these, never fewer than Exact has,
+/// and none that brute force has not.
 void expectBetween(const AllHits& exact, const AllHits& hits, const AllHits& wanted)
 {
   for (std::size_t i = 0; i + 1 < hits.offsets.size(); ++i)
   {
-    const auto contains = [&](const AllHits& others, const auto& matches) {
+    const auto contains = [&](const AllHits& others, const auto& matches)
+    {
       return std::any_of(others.hits.begin() + static_cast<std::ptrdiff_t>(others.offsets[i]),
         others.hits.begin() + static_cast<std::ptrdiff_t>(others.offsets[i + 1]), matches);
     };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The uniform grid: lattice-aligned rays against brute force, resolutions asked for and automatic, bounded memory, scales
-// and offsets, counts of cells.
+// The uniform grid: lattice-aligned rays against brute force, resolutions asked for and automatic,
+// bounded memory, scales and offsets, counts of cells.
 #include "CellStructures.h"
 
 #include <gtest/gtest.h>
@@ -30,9 +30,10 @@ TEST(Grid, ALatticeOfRaysAgainstBruteForce)
     EXPECT_EQ(differences(surface, optionsOf(Structure::Grid), rays), 0u);
     const Vec3 size = surface->bounds().size();
     // Planes at whole numbers: rays run in faces, along edges and through corners of cells.
-    EXPECT_EQ(differences(surface, gridOf({ static_cast<int>(size[0]), static_cast<int>(size[1]),
-                                     static_cast<int>(size[2]) }),
-                rays),
+    EXPECT_EQ(
+      differences(surface,
+        gridOf({ static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) }),
+        rays),
       0u);
   }
 }
@@ -44,7 +45,8 @@ TEST(Grid, EveryResolutionGivesTheSameAnswers)
   for (const std::array<int, 3>& resolution :
     { std::array<int, 3>{ 1, 1, 1 }, { 1, 1, 200 }, { 2, 3, 5 }, { 64, 64, 64 }, { 4096, 1, 1 } })
   {
-    EXPECT_EQ(differences(surface, gridOf(resolution), rays), 0u) << ::testing::PrintToString(resolution);
+    EXPECT_EQ(differences(surface, gridOf(resolution), rays), 0u)
+      << ::testing::PrintToString(resolution);
   }
 }
 
@@ -52,7 +54,8 @@ TEST(Grid, ScalesAndOffsets)
 {
   const auto triangles = latticeTriangles(60, 8, 4);
   const Rays rays = latticeRays(300, 10, 5);
-  const auto placed = [&](double scale, double offset) {
+  const auto placed = [&](double scale, double offset)
+  {
     auto moved = triangles;
     for (Corners& t : moved)
     {
@@ -134,10 +137,12 @@ TEST(Grid, OptionsOutOfRangeAreRefused)
 TEST(Grid, CellsSteppedAreThoseOnTheWay)
 {
   // A triangle at either end of ten cells.
-  const auto surface = surfaceOf<double>(std::vector<Corners>{ { Vec3{ 0, 0, 0 }, Vec3{ 0, 1, 0 }, Vec3{ 0, 0, 1 } },
-    { Vec3{ 10, 0, 0 }, Vec3{ 10, 1, 0 }, Vec3{ 10, 0, 1 } } });
+  const auto surface =
+    surfaceOf<double>(std::vector<Corners>{ { Vec3{ 0, 0, 0 }, Vec3{ 0, 1, 0 }, Vec3{ 0, 0, 1 } },
+      { Vec3{ 10, 0, 0 }, Vec3{ 10, 1, 0 }, Vec3{ 10, 0, 1 } } });
   const auto grid = build(surface, gridOf({ 10, 1, 1 }));
-  const auto cells = [&](const Ray& ray) {
+  const auto cells = [&](const Ray& ray)
+  {
     Rays rays;
     rays.add(ray);
     RayCounters counters;

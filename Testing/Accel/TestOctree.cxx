@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The octree: lattice-aligned rays against brute force, triangles in the planes that halve it, bounded depth and memory,
-// cells that are octants.
+// The octree: lattice-aligned rays against brute force, triangles in the planes that halve it,
+// bounded depth and memory, cells that are octants.
 #include "CellStructures.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ using Corners = std::array<Vec3, 3>;
 
 TEST(Octree, ALatticeOfRaysAgainstBruteForce)
 {
-  // A box of 16 makes the halving planes whole numbers, so that triangles lie in them and rays run along them.
+  // A box of 16 makes the halving planes whole numbers, so that triangles lie in them and rays run
+  // along them.
   auto triangles = latticeTriangles(80, 8, 11);
   triangles.push_back({ Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 0, 1 } });
   triangles.push_back({ Vec3{ 16, 16, 16 }, Vec3{ 15, 16, 16 }, Vec3{ 16, 15, 16 } });
@@ -67,7 +68,8 @@ TEST(Octree, ScalesAndOffsets)
   for (const double offset : { 0x1p24, 0x1p40, 0x1p50 })
   {
     const auto surface = surfaceOf<double>(data::teapot(3), { offset, -offset, offset });
-    EXPECT_EQ(differences(surface, optionsOf(Structure::Octree), raysAround(*surface, 100, 14)), 0u) << offset;
+    EXPECT_EQ(differences(surface, optionsOf(Structure::Octree), raysAround(*surface, 100, 14)), 0u)
+      << offset;
   }
 }
 
