@@ -133,7 +133,7 @@ TEST(Watertight, NothingLeavesAClosedSurface)
       const bool slow = accelerator->options().structure == Structure::BruteForce;
       for (const Aim aim : { Aim::Vertex, Aim::Edge, Aim::NormalisedVertex, Aim::Random })
       {
-        const Rays all = rays(c, aim, slow ? 50 : 3000);
+        const Rays all = rays(c, aim, slow ? 50 : 5000);
         for (const Precision precision : { Precision::Watertight, Precision::Exact })
         {
           SCOPED_TRACE(c.name + ", " + label(accelerator->options()) + ", " +
@@ -251,7 +251,7 @@ TEST(Watertight, SliversAreAsTightAsAnythingElse)
   for (const auto& accelerator : accelerators(surface))
   {
     Uniform uniform(47);
-    for (int i = 0; i < 150; ++i)
+    for (int i = 0; i < 500; ++i)
     {
       const Vec3 o =
         0.5 * (box.lower + box.upper) + Vec3{ 0.01 * uniform(-1, 1), 0.01 * uniform(-1, 1), 0 };
