@@ -3,6 +3,7 @@
 #include "Accel/Accelerator.h"
 
 #include "Accel/FloatEnvironment.h"
+#include "Accel/Kernel/OverlapIndex.h"
 #include "Accel/Registry.h"
 
 #include <string>
@@ -55,6 +56,18 @@ Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOpti
 }
 
 Accelerator::~Accelerator() = default;
+
+void Accelerator::overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const
+{
+  const FloatEnvironment environment;
+  std::call_once(this->overlapOnce_,
+    [&]
+    {
+      this->overlapIndex_ =
+        std::make_unique<const OverlapIndex>(this->surface(), this->hierarchy());
+    });
+  this->overlapIndex_->overlap(region, primitives);
+}
 
 std::shared_ptr<const Accelerator> build(
   std::shared_ptr<const Surface> surface, const BuildOptions& asked)

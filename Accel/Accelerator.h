@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Accelerator_h
 
 #include "Accel/BuildOptions.h"
+#include "Accel/ConvexRegion.h"
 #include "Accel/Export.h"
 #include "Accel/Hierarchy.h"
 #include "Accel/Hit.h"
@@ -12,10 +13,13 @@
 #include "Accel/Surface.h"
 
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 namespace lumitree
 {
+
+class OverlapIndex;
 
 /// A query that a structure does not answer (a precision it cannot promise, for example).
 class LUMITREE_ACCEL_EXPORT UnsupportedQuery : public std::runtime_error
@@ -64,6 +68,13 @@ public:
   virtual QueryReport count(
     const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options = {}) const = 0;
 
+  /// Primitives that may meet the region, which is closed: of those that can be hit, all but those
+  /// that lie wholly outside one of its half-spaces by more than rounding could account for (some
+  /// 2^-50 of the coordinates). Ascending, each once; the same from every structure; primitives is
+  /// overwritten. Throws std::invalid_argument for NaN and for normals that are not finite. On the
+  /// calling thread; the first call also makes an index of the structure's nodes, 64 bytes each.
+  virtual void overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const;
+
   /// The structure as a flat list of nodes; one node (a leaf) where there is no hierarchy.
   [[nodiscard]] virtual HierarchyView hierarchy() const = 0;
 
@@ -73,6 +84,8 @@ protected:
 
 private:
   std::shared_ptr<const Surface> surface_;
+  mutable std::once_flag overlapOnce_;
+  mutable std::unique_ptr<const OverlapIndex> overlapIndex_;
 };
 
 /// Builds what the options ask for through the registry of back ends. Throws std::invalid_argument
