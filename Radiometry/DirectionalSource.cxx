@@ -30,4 +30,9 @@ Sightline DirectionalSource::sightline(const Vec3&) const
   return { this->towards_, true };
 }
 
+Vec3 DirectionalSource::lightVector(const Vec3&) const
+{
+  return this->normalIrradiance_ * this->towards_;
+}
+
 } // namespace lumitree

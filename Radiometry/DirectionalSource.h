@@ -25,6 +25,7 @@ public:
   [[nodiscard]] double irradiance(const Vec3& position, const Vec3& normal) const override;
   [[nodiscard]] double scalarIrradiance(const Vec3& position) const override;
   [[nodiscard]] Sightline sightline(const Vec3& position) const override;
+  [[nodiscard]] Vec3 lightVector(const Vec3& position) const override;
 
 private:
   double normalIrradiance_;

@@ -3,32 +3,26 @@
 #ifndef Lumitree_Radiometry_IsotropicPointSource_h
 #define Lumitree_Radiometry_IsotropicPointSource_h
 
-#include "Radiometry/Source.h"
+#include "Radiometry/PointLikeSource.h"
 
 namespace lumitree
 {
 
 /// A point that shines alike in all directions: I = Φ / 4π, E = I cosθ / r², E₀ = I / r².
-class LUMITREE_RADIOMETRY_EXPORT IsotropicPointSource : public Source
+class LUMITREE_RADIOMETRY_EXPORT IsotropicPointSource : public PointLikeSource
 {
 public:
   /// flux: W or lm, finite, ≥ 0. metresPerUnit: finite, > 0. Throws std::invalid_argument
   /// otherwise, and for a position that is not finite (or beyond coordinateLimit).
   IsotropicPointSource(double flux, const Vec3& position, double metresPerUnit = 1.0);
 
-  [[nodiscard]] const Vec3& position() const { return this->position_; }
-
   [[nodiscard]] std::optional<double> flux() const override { return this->flux_; }
-  [[nodiscard]] std::optional<double> intensity(const Vec3& direction) const override;
-  [[nodiscard]] double irradiance(const Vec3& position, const Vec3& normal) const override;
-  [[nodiscard]] double scalarIrradiance(const Vec3& position) const override;
-  [[nodiscard]] Sightline sightline(const Vec3& position) const override;
+
+protected:
+  [[nodiscard]] double intensityAlong(const Vec3& direction) const override;
 
 private:
   double flux_;
-  double intensity_;
-  Vec3 position_;
-  double metresPerUnit_;
 };
 
 } // namespace lumitree

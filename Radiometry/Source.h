@@ -4,9 +4,11 @@
 #define Lumitree_Radiometry_Source_h
 
 #include "Accel/Vec3.h"
+#include "Radiometry/EmittingPolygon.h"
 #include "Radiometry/Export.h"
 
 #include <optional>
+#include <vector>
 
 namespace lumitree
 {
@@ -17,6 +19,17 @@ struct Sightline
 {
   Vec3 direction = { 0.0, 0.0, 1.0 };
   bool endless = false;
+};
+
+/// A direction in which a position sees an extended source, drawn from the unit square. The mean
+/// over the square of radiance × weight × max(0, cosine of the direction) is the unoccluded
+/// irradiance, and that of radiance × weight the scalar irradiance.
+struct SourceSample
+{
+  Sightline sightline; ///< to the point of the source that was drawn
+  double radiance =
+    0.0; ///< of the source there; of a line, which has none, only the product has a meaning
+  double weight = 0.0; ///< sr: 1 / probability density; 0: nothing of the source is seen
 };
 
 /// A source of light. It answers for itself alone: what is in the way is a separate factor, from
@@ -44,8 +57,31 @@ public:
   /// Unoccluded scalar irradiance: from all sides alike, no cosine. NaN where it is not defined.
   [[nodiscard]] virtual double scalarIrradiance(const Vec3& position) const = 0;
 
-  /// The way from a position to the source.
+  /// The way from a position to the source; to its middle where it is extended.
   [[nodiscard]] virtual Sightline sightline(const Vec3& position) const = 0;
+
+  /// Unoccluded light vector (Gershun 1936): the integral of radiance times direction, pointing to
+  /// where the light comes from. Its component along a normal is the irradiance on that side less
+  /// that on the other. NaN where it is not defined.
+  [[nodiscard]] virtual Vec3 lightVector(const Vec3& position) const = 0;
+
+  /// Whether positions see more than one point or direction of the source. Where they do not, its
+  /// sightline alone decides about its visibility.
+  [[nodiscard]] virtual bool extended() const { return false; }
+
+  /// Of extended sources: a direction for a point (u, v) of the unit square; the same one, always.
+  /// Throws std::logic_error where the source is not extended.
+  [[nodiscard]] virtual SourceSample sample(const Vec3& position, double u, double v) const;
+
+  /// What the source consists of, where that is polygons; null otherwise. They live as long as the
+  /// source, and what they give adds up.
+  [[nodiscard]] virtual const std::vector<EmittingPolygon>* polygons() const { return nullptr; }
+
+  /// Radiance that a position receives from the source out of a direction (any length but 0), as if
+  /// nothing, not even the source itself, were in the way; 0 where the source is not in that
+  /// direction; nothing where the source has no radiance (it is a point, or a line).
+  [[nodiscard]] virtual std::optional<double> radiance(
+    const Vec3& position, const Vec3& direction) const;
 };
 
 } // namespace lumitree
