@@ -6,6 +6,7 @@
 #include "Accel/Kernel/OverlapIndex.h"
 #include "Accel/Registry.h"
 
+#include <limits>
 #include <string>
 
 namespace lumitree
@@ -70,7 +71,7 @@ void Accelerator::overlap(const ConvexRegion& region, std::vector<PrimitiveId>& 
 }
 
 std::shared_ptr<const Accelerator> build(
-  std::shared_ptr<const Surface> surface, const BuildOptions& asked)
+  std::shared_ptr<const Surface> surface, const BuildOptions& asked, JobControl* control)
 {
   if (!surface)
   {
@@ -78,6 +79,7 @@ std::shared_ptr<const Accelerator> build(
   }
   checkRange("leaf size", asked.leafSize, 1, 1024);
   checkRange("greatest depth", asked.maxDepth, 1, 64);
+  checkRange("number of threads", asked.threads, 0, std::numeric_limits<int>::max());
   checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
   checkRange("KD-tree build", static_cast<int>(asked.kdBuild), 0, kdBuildCount - 1);
   checkGrid(asked);
@@ -89,7 +91,7 @@ std::shared_ptr<const Accelerator> build(
   {
     options.structure = choose(*surface);
   }
-  return Registry::instance().find(options.structure).build(std::move(surface), options);
+  return Registry::instance().find(options.structure).build(std::move(surface), options, control);
 }
 
 } // namespace lumitree

@@ -28,6 +28,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// What build throws when its job was stopped: nothing was built.
+class LUMITREE_ACCEL_EXPORT BuildStopped : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A structure over a surface, ready for batches of rays. Immutable: any number of threads may
 /// query it.
 ///
@@ -88,11 +95,13 @@ private:
   mutable std::unique_ptr<const OverlapIndex> overlapIndex_;
 };
 
-/// Builds what the options ask for through the registry of back ends. Throws std::invalid_argument
-/// for options out of range and UnknownStructure (Registry.h) for a structure that this build
-/// lacks.
+/// Builds what the options ask for through the registry of back ends; never null. Throws
+/// std::invalid_argument for options out of range, UnknownStructure (Registry.h) for a structure
+/// that this build lacks, and BuildStopped when control was told to stop. Progress is told on the
+/// calling thread, rising from 0 to 1; after an exception nothing is left of the build.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> build(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options = {});
+  std::shared_ptr<const Surface> surface, const BuildOptions& options = {},
+  JobControl* control = nullptr);
 
 } // namespace lumitree
 

@@ -29,6 +29,9 @@ struct BuildOptions
     0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
   bool embreeRobust =
     true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
+  /// Threads to build with; 0: as many as oneTBB gives. What is built does not depend on it, and
+  /// options that differ in it only are equal.
+  int threads = 0;
 
   friend bool operator==(const BuildOptions& a, const BuildOptions& b)
   {

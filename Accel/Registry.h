@@ -24,8 +24,9 @@ struct Backend
 {
   Structure structure = Structure::Auto;
   std::string description; ///< one line for people
+  /// The control may be null. Throws BuildStopped when it was told to stop.
   std::function<std::shared_ptr<const Accelerator>(
-    std::shared_ptr<const Surface>, const BuildOptions&)>
+    std::shared_ptr<const Surface>, const BuildOptions&, JobControl*)>
     build;
 };
 

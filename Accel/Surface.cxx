@@ -83,7 +83,7 @@ PointArray PointArray::from(std::vector<double> xyz)
   return take(std::move(xyz));
 }
 
-Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap sources)
+Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap sources, int threads)
   : points_(std::move(points))
   , triangles_(std::move(triangles))
   , sources_(std::move(sources))
@@ -95,7 +95,7 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap s
   checkSources(this->sources_, this->triangles_.size());
 
   std::vector<Kind> kinds(this->triangles_.size());
-  parallelFor(this->triangles_.size(), 16384, 0, nullptr,
+  parallelFor(this->triangles_.size(), 16384, threads, nullptr,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)

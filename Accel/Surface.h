@@ -64,7 +64,9 @@ class LUMITREE_ACCEL_EXPORT Surface
 public:
   /// Throws std::invalid_argument when a triangle names a point that does not exist, when there are
   /// more than 2^32 - 2 triangles, or when the map does not fit the triangles.
-  Surface(PointArray points, std::vector<Triangle> triangles, SourceMap sources = {});
+  /// threads: to examine the triangles with; 0: as many as oneTBB gives.
+  Surface(
+    PointArray points, std::vector<Triangle> triangles, SourceMap sources = {}, int threads = 0);
 
   [[nodiscard]] std::size_t pointCount() const { return this->points_.count; }
   [[nodiscard]] std::size_t size() const { return this->triangles_.size(); }

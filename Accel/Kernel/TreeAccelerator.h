@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Kernel_TreeAccelerator_h
 #define Lumitree_Accel_Kernel_TreeAccelerator_h
 
+#include "Accel/BuildProgress.h"
 #include "Accel/Kernel/BatchRunner.h"
 #include "Accel/Kernel/LeafBlocks.h"
 
@@ -14,7 +15,7 @@ namespace lumitree
 
 /// An accelerator from a structure that only builds, walks and shows itself:
 ///
-///     Tree(const Surface&, const BuildOptions&, LeafBlocks&);
+///     Tree(const Surface&, const BuildOptions&, LeafBlocks&, BuildProgress&);
 ///     static StructureWalks walks();
 ///     const void* walked() const; // what the walks take as their structure
 ///     HierarchyView view(const LeafBlocks&) const;
@@ -23,12 +24,17 @@ template <class Tree>
 class TreeAccelerator final : public Accelerator
 {
 public:
-  TreeAccelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  TreeAccelerator(
+    std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
     : Accelerator(std::move(surface), options)
     , blocks_(makeLeafBlocks(this->surface()))
   {
     const auto start = std::chrono::steady_clock::now();
-    this->tree_ = std::make_unique<const Tree>(this->surface(), options, this->blocks_);
+    BuildProgress progress(control, options.threads);
+    progress.stage(0.0, 1);
+    this->tree_ = std::make_unique<const Tree>(this->surface(), options, this->blocks_, progress);
+    progress.stage(1.0, 0);
+    progress.advance(1);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     this->statistics_ = describe(this->hierarchy(), this->surface());

@@ -13,7 +13,7 @@ namespace
 class BruteForce
 {
 public:
-  BruteForce(const Surface& surface, const BuildOptions&, LeafBlocks& blocks)
+  BruteForce(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress&)
     : surface_(surface)
   {
     const auto& all = surface.hittable();
@@ -52,9 +52,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildBruteForce(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<TreeAccelerator<BruteForce>>(std::move(surface), options);
+  return std::make_shared<TreeAccelerator<BruteForce>>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

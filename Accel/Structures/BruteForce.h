@@ -10,7 +10,8 @@ namespace lumitree
 
 /// Every primitive is tested against every ray: no hierarchy, the oracle for all others.
 [[nodiscard]] std::shared_ptr<const Accelerator> buildBruteForce(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+  std::shared_ptr<const Surface> surface, const BuildOptions& options,
+  JobControl* control = nullptr);
 
 } // namespace lumitree
 

@@ -14,12 +14,14 @@ namespace
 class Bvh
 {
 public:
-  Bvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+  Bvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress)
   {
     const BvhSplitter splitter = options.bvhBuild == BvhBuild::LongestAxisMedian
       ? medianSplitter(options.leafSize)
       : binnedSahSplitter(options.leafSize);
-    this->bvh_ = buildBvhNodes(surface, splitter, options.maxDepth);
+    this->bvh_ = buildBvhNodes(surface, splitter, options.maxDepth, progress);
+    progress.stage(0.99, this->bvh_.references.size());
     this->firstBlock_.resize(this->bvh_.nodes.size());
     std::visit(
       [&](auto& store)
@@ -32,6 +34,7 @@ public:
           {
             this->firstBlock_[i] =
               store.append(surface, this->bvh_.references.data() + node.first, node.count);
+            progress.advance(node.count);
           }
         }
       },
@@ -139,9 +142,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildBvh(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<TreeAccelerator<Bvh>>(std::move(surface), options);
+  return std::make_shared<TreeAccelerator<Bvh>>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

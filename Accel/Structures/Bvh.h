@@ -9,8 +9,8 @@ namespace lumitree
 {
 
 /// A binary bounding volume hierarchy, built as BuildOptions::bvhBuild says.
-[[nodiscard]] std::shared_ptr<const Accelerator> buildBvh(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildBvh(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, JobControl* control = nullptr);
 
 } // namespace lumitree
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BvhBuilder.h"
 
-#include "Accel/Parallel.h"
-
 #include <vector>
 
 namespace lumitree
@@ -20,11 +18,12 @@ struct Task
   int depth;
 };
 
-std::vector<BuildReference> makeReferences(const Surface& surface)
+std::vector<BuildReference> makeReferences(const Surface& surface, BuildProgress& progress)
 {
   const auto& ids = surface.hittable();
   std::vector<BuildReference> references(ids.size());
-  parallelFor(ids.size(), 16384, 0, nullptr,
+  progress.stage(0.05, ids.size());
+  progress.forEach(ids.size(), 16384,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -38,9 +37,11 @@ std::vector<BuildReference> makeReferences(const Surface& surface)
 
 } // namespace
 
-BvhNodes buildBvhNodes(const Surface& surface, const BvhSplitter& split, int maxDepth)
+BvhNodes buildBvhNodes(
+  const Surface& surface, const BvhSplitter& split, int maxDepth, BuildProgress& progress)
 {
-  std::vector<BuildReference> references = makeReferences(surface);
+  std::vector<BuildReference> references = makeReferences(surface, progress);
+  progress.stage(0.7, references.size());
   BvhNodes bvh;
   bvh.nodes.reserve(references.size());
   bvh.nodes.emplace_back();
@@ -49,6 +50,7 @@ BvhNodes buildBvhNodes(const Surface& surface, const BvhSplitter& split, int max
   {
     const Task task = tasks.back();
     tasks.pop_back();
+    progress.advance(0);
     BuildReference* const begin = references.data() + task.begin;
     BuildReference* const end = references.data() + task.end;
 
@@ -66,6 +68,7 @@ BvhNodes buildBvhNodes(const Surface& surface, const BvhSplitter& split, int max
         begin, end, [](const BuildReference& a, const BuildReference& b) { return a.id < b.id; });
       node.first = static_cast<std::uint32_t>(task.begin);
       node.count = static_cast<std::uint32_t>(task.end - task.begin);
+      progress.advance(node.count);
     }
     else
     {

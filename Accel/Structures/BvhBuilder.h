@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Structures_BvhBuilder_h
 
 #include "Accel/BuildOptions.h"
+#include "Accel/BuildProgress.h"
 #include "Accel/Structures/BvhNodes.h"
 #include "Accel/Surface.h"
 
@@ -41,7 +42,7 @@ using BvhSplitter =
 
 /// Divides from the root on until the splitter stops or maxDepth is reached. Deterministic.
 [[nodiscard]] BvhNodes buildBvhNodes(
-  const Surface& surface, const BvhSplitter& split, int maxDepth);
+  const Surface& surface, const BvhSplitter& split, int maxDepth, BuildProgress& progress);
 
 } // namespace lumitree
 

@@ -14,10 +14,12 @@ namespace
 class Grid
 {
 public:
-  Grid(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
-    : cells_(buildGridCells(surface, options))
+  Grid(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress)
+    : cells_(buildGridCells(surface, options, progress))
   {
-    std::visit([&](auto& store) { this->fill(surface, store); }, blocks);
+    progress.stage(0.99, this->cells_.leaves.size());
+    std::visit([&](auto& store) { this->fill(surface, store, progress); }, blocks);
   }
 
   [[nodiscard]] const void* walked() const { return this; }
@@ -99,13 +101,14 @@ private:
   /// Cells that hold one and the same single primitive share its block: a large triangle fills
   /// many.
   template <class Store>
-  void fill(const Surface& surface, Store& store)
+  void fill(const Surface& surface, Store& store, BuildProgress& progress)
   {
     constexpr std::uint32_t none = ~std::uint32_t{ 0 };
     std::vector<std::uint32_t> alone(surface.size(), none);
     this->firstBlock_.reserve(this->cells_.leaves.size());
     for (const GridCells::Leaf& leaf : this->cells_.leaves)
     {
+      progress.advance(1);
       const PrimitiveId* const ids = this->cells_.references.data() + leaf.first;
       if (leaf.count > 1)
       {
@@ -127,9 +130,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildGrid(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<TreeAccelerator<Grid>>(std::move(surface), options);
+  return std::make_shared<TreeAccelerator<Grid>>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

@@ -10,8 +10,8 @@ namespace lumitree
 
 /// A uniform grid over the surface's bounds; BuildOptions::gridDensity and gridResolution say how
 /// fine.
-[[nodiscard]] std::shared_ptr<const Accelerator> buildGrid(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildGrid(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, JobControl* control = nullptr);
 
 } // namespace lumitree
 

@@ -17,6 +17,7 @@ constexpr std::size_t greatestReferences = std::size_t{ 1 } << 26;
 constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
 constexpr std::size_t sampleSize = 1024;
+constexpr std::size_t primitivesPerReport = 64;
 
 struct Reference
 {
@@ -28,9 +29,10 @@ struct Reference
 class Insertion
 {
 public:
-  Insertion(const GridLattice& lattice, std::size_t limit)
+  Insertion(const GridLattice& lattice, std::size_t limit, BuildProgress& progress)
     : lattice_(lattice)
     , limit_(limit)
+    , progress_(progress)
   {
   }
 
@@ -63,6 +65,10 @@ private:
       const TriangleBoxOverlap overlap(surface.vertices(all[i]));
       this->insert(overlap, all[i], this->lattice_.slabsOf(overlap.bounds()));
       ++done;
+      if (done % primitivesPerReport == 0)
+      {
+        this->progress_.advance(primitivesPerReport);
+      }
     }
     // The last one may have been cut short: too few rather than a wrong grid.
     return this->references_.size() <= this->limit_ ? done : std::min(done, all.size() - 1);
@@ -98,6 +104,7 @@ private:
 
   const GridLattice& lattice_;
   std::size_t limit_;
+  BuildProgress& progress_;
   std::vector<Reference> references_;
 };
 
@@ -136,7 +143,8 @@ std::string text(const std::array<int, 3>& resolution)
     std::to_string(resolution[2]);
 }
 
-GridCells buildAsAsked(const Surface& surface, const std::array<int, 3>& resolution)
+GridCells buildAsAsked(
+  const Surface& surface, const std::array<int, 3>& resolution, BuildProgress& progress)
 {
   const double cells = static_cast<double>(resolution[0]) * resolution[1] * resolution[2];
   if (cells > static_cast<double>(greatestCells))
@@ -145,7 +153,8 @@ GridCells buildAsAsked(const Surface& surface, const std::array<int, 3>& resolut
       "a grid of " + text(resolution) + " cells has more than " + std::to_string(greatestCells));
   }
   const GridLattice lattice(surface.bounds(), resolution);
-  Insertion insertion(lattice, greatestReferences);
+  progress.stage(0.5, surface.hittable().size());
+  Insertion insertion(lattice, greatestReferences, progress);
   if (!insertion.insertAll(surface))
   {
     throw std::length_error("in a grid of " + text(resolution) +
@@ -154,23 +163,28 @@ GridCells buildAsAsked(const Surface& surface, const std::array<int, 3>& resolut
   return arrange(lattice, insertion.references());
 }
 
-GridCells buildAutomatically(const Surface& surface, double density)
+GridCells buildAutomatically(const Surface& surface, double density, BuildProgress& progress)
 {
   const std::size_t primitives = surface.hittable().size();
   const std::size_t limit = std::min(
     fewReferences + referencesPerPrimitive * primitives, std::max(greatestReferences, primitives));
   double cells =
     std::min(std::max(density * static_cast<double>(primitives), 1.0), greatestAutomaticCells);
+  double toDo = 1.0;
   while (true)
   {
     const GridLattice lattice(
       surface.bounds(), GridLattice::resolutionFor(surface.bounds(), cells));
     // The number of references grows no faster than that of cells, so this factor does not
     // overshoot.
-    const double excess = Insertion(lattice, limit).estimate(surface) / static_cast<double>(limit);
+    const double excess =
+      Insertion(lattice, limit, progress).estimate(surface) / static_cast<double>(limit);
     if (excess <= 1.0)
     {
-      Insertion insertion(lattice, limit);
+      // It nearly always fits the first time.
+      toDo *= 0.25;
+      progress.stage(0.6 * (1.0 - toDo), primitives);
+      Insertion insertion(lattice, limit, progress);
       if (insertion.insertAll(surface))
       {
         return arrange(lattice, insertion.references());
@@ -183,10 +197,11 @@ GridCells buildAutomatically(const Surface& surface, double density)
 
 } // namespace
 
-GridCells buildGridCells(const Surface& surface, const BuildOptions& options)
+GridCells buildGridCells(
+  const Surface& surface, const BuildOptions& options, BuildProgress& progress)
 {
-  return options.gridResolution[0] > 0 ? buildAsAsked(surface, options.gridResolution)
-                                       : buildAutomatically(surface, options.gridDensity);
+  return options.gridResolution[0] > 0 ? buildAsAsked(surface, options.gridResolution, progress)
+                                       : buildAutomatically(surface, options.gridDensity, progress);
 }
 
 } // namespace lumitree

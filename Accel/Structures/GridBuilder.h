@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Structures_GridBuilder_h
 
 #include "Accel/BuildOptions.h"
+#include "Accel/BuildProgress.h"
 #include "Accel/Structures/GridLattice.h"
 #include "Accel/Surface.h"
 
@@ -31,7 +32,8 @@ struct GridCells
 /// as primitives would be held more than 16 times on average (65536 references are always allowed).
 /// A resolution that is asked for is kept, or refused: std::invalid_argument beyond 2^27 cells,
 /// std::length_error beyond 2^26 references.
-[[nodiscard]] GridCells buildGridCells(const Surface& surface, const BuildOptions& options);
+[[nodiscard]] GridCells buildGridCells(
+  const Surface& surface, const BuildOptions& options, BuildProgress& progress);
 
 } // namespace lumitree
 

@@ -15,11 +15,12 @@ namespace
 class KdTree
 {
 public:
-  KdTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+  KdTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress)
     : tree_(buildKdTreeNodes(surface,
         options.kdBuild == KdBuild::SpatialMedian ? spatialMedianSplitter(options.leafSize)
                                                   : kdSahSplitter(),
-        options.maxDepth, blocks))
+        options.maxDepth, blocks, progress))
   {
   }
 
@@ -46,9 +47,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildKdTree(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<TreeAccelerator<KdTree>>(std::move(surface), options);
+  return std::make_shared<TreeAccelerator<KdTree>>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

@@ -30,9 +30,10 @@ struct Sides
 class Builder
 {
 public:
-  Builder(const Surface& surface, LeafBlocks& blocks)
+  Builder(const Surface& surface, LeafBlocks& blocks, BuildProgress& progress)
     : surface_(surface)
     , blocks_(blocks)
+    , progress_(progress)
   {
   }
 
@@ -41,11 +42,14 @@ public:
     this->tree_.nodes.emplace_back();
     std::vector<Task> tasks;
     tasks.push_back(this->rootTask());
+    // Leaves share the references allowed, all of which are given to one in the end.
+    this->progress_.stage(0.99, tasks.back().allowance);
     const int depthLimit = this->depthLimit(maxDepth);
     while (!tasks.empty())
     {
       Task task = std::move(tasks.back());
       tasks.pop_back();
+      this->progress_.advance(0);
       const KdSplit division =
         task.depth < depthLimit ? split(task.cell, task.references) : KdSplit{};
       const Sides sides = division.axis >= 0 ? this->divide(task, division) : Sides{};
@@ -53,6 +57,7 @@ public:
       if (division.axis < 0 || held > task.allowance)
       {
         this->makeLeaf(task);
+        this->progress_.advance(task.allowance);
         continue;
       }
       this->makeInterior(task, division, sides, tasks);
@@ -165,15 +170,16 @@ private:
 
   const Surface& surface_;
   LeafBlocks& blocks_;
+  BuildProgress& progress_;
   KdTreeNodes tree_;
 };
 
 } // namespace
 
-KdTreeNodes buildKdTreeNodes(
-  const Surface& surface, const KdSplitter& split, int maxDepth, LeafBlocks& blocks)
+KdTreeNodes buildKdTreeNodes(const Surface& surface, const KdSplitter& split, int maxDepth,
+  LeafBlocks& blocks, BuildProgress& progress)
 {
-  return Builder(surface, blocks).build(split, maxDepth);
+  return Builder(surface, blocks, progress).build(split, maxDepth);
 }
 
 } // namespace lumitree

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Structures_KdTreeBuilder_h
 #define Lumitree_Accel_Structures_KdTreeBuilder_h
 
+#include "Accel/BuildProgress.h"
 #include "Accel/Kernel/LeafBlocks.h"
 #include "Accel/Structures/KdTreeSplitters.h"
 #include "Accel/Surface.h"
@@ -19,8 +20,8 @@ inline constexpr std::size_t kdReferencesPerTriangle = 8;
 /// Every point of a triangle lies in a closed leaf that holds the triangle. A triangle that touches
 /// a plane from one side only is held on that side only, one in the plane on the side that the
 /// splitter says: rays that come as near to the plane as rounding can tell visit both sides.
-[[nodiscard]] KdTreeNodes buildKdTreeNodes(
-  const Surface& surface, const KdSplitter& split, int maxDepth, LeafBlocks& blocks);
+[[nodiscard]] KdTreeNodes buildKdTreeNodes(const Surface& surface, const KdSplitter& split,
+  int maxDepth, LeafBlocks& blocks, BuildProgress& progress);
 
 } // namespace lumitree
 

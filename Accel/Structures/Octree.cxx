@@ -14,10 +14,12 @@ namespace
 class Octree
 {
 public:
-  Octree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
-    : octree_(buildOctreeNodes(surface, options))
+  Octree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress)
+    : octree_(buildOctreeNodes(surface, options, progress))
     , firstBlock_(octree_.nodes.size())
   {
+    progress.stage(0.99, this->octree_.nodes.size());
     std::visit(
       [&](auto& store)
       {
@@ -29,6 +31,7 @@ public:
             this->firstBlock_[i] =
               store.append(surface, this->octree_.references.data() + node.first, node.count);
           }
+          progress.advance(1);
         }
       },
       blocks);
@@ -125,9 +128,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildOctree(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<TreeAccelerator<Octree>>(std::move(surface), options);
+  return std::make_shared<TreeAccelerator<Octree>>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

@@ -10,8 +10,8 @@ namespace lumitree
 
 /// A cube around the surface's bounds, halved along all three axes for as long as OctreeBuilder.h
 /// says.
-[[nodiscard]] std::shared_ptr<const Accelerator> buildOctree(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildOctree(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, JobControl* control = nullptr);
 
 } // namespace lumitree
 

@@ -31,8 +31,9 @@ struct Open
 class Builder
 {
 public:
-  Builder(const Surface& surface, const BuildOptions& options)
+  Builder(const Surface& surface, const BuildOptions& options, BuildProgress& progress)
     : surface_(surface)
+    , progress_(progress)
     , leafSize_(static_cast<std::size_t>(options.leafSize))
     , depthLimit_(std::min(options.maxDepth, octreeDepthLimit))
     , limit_(fewReferences + referencesPerPrimitive * surface.hittable().size())
@@ -46,9 +47,13 @@ public:
     this->tree_.nodes[0].box = this->surface_.bounds();
     std::vector<Open> level;
     level.push_back({ 0, this->rootCube(), this->surface_.hittable() });
+    double toDo = 1.0;
     for (int depth = 0; !level.empty(); ++depth)
     {
       std::vector<Open> next;
+      // How many levels there will be is not known: each is a third of what is left.
+      toDo *= 2.0 / 3.0;
+      this->progress_.stage(0.9 * (1.0 - toDo), level.size());
       for (Open& open : level)
       {
         if (depth == this->depthLimit_ || open.primitives.size() <= this->leafSize_ ||
@@ -56,6 +61,7 @@ public:
         {
           this->close(open);
         }
+        this->progress_.advance(1);
       }
       level = std::move(next);
     }
@@ -171,6 +177,7 @@ private:
   }
 
   const Surface& surface_;
+  BuildProgress& progress_;
   std::size_t leafSize_;
   int depthLimit_;
   std::size_t limit_; ///< of references
@@ -181,9 +188,10 @@ private:
 
 } // namespace
 
-OctreeNodes buildOctreeNodes(const Surface& surface, const BuildOptions& options)
+OctreeNodes buildOctreeNodes(
+  const Surface& surface, const BuildOptions& options, BuildProgress& progress)
 {
-  return Builder(surface, options).build();
+  return Builder(surface, options, progress).build();
 }
 
 } // namespace lumitree

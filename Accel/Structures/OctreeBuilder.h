@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Structures_OctreeBuilder_h
 
 #include "Accel/BuildOptions.h"
+#include "Accel/BuildProgress.h"
 #include "Accel/Surface.h"
 
 #include <vector>
@@ -42,7 +43,8 @@ inline constexpr int octreeDepthLimit = 21;
 ///   - the whole tree then holds primitives at most 16 times on average (65536 references are
 ///   always allowed). Levels
 ///     are split one after the other, the shallow ones first.
-[[nodiscard]] OctreeNodes buildOctreeNodes(const Surface& surface, const BuildOptions& options);
+[[nodiscard]] OctreeNodes buildOctreeNodes(
+  const Surface& surface, const BuildOptions& options, BuildProgress& progress);
 
 } // namespace lumitree
 

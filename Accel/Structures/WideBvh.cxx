@@ -16,15 +16,16 @@ namespace
 class WideBvh
 {
 public:
-  WideBvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks)
+  WideBvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress)
   {
     const BvhSplitter splitter = options.bvhBuild == BvhBuild::LongestAxisMedian
       ? medianSplitter(options.leafSize)
       : binnedSahSplitter(options.leafSize);
     if (!surface.hittable().empty())
     {
-      const BvhNodes binary = buildBvhNodes(surface, splitter, options.maxDepth);
-      this->tree_ = fillWideBvh(surface, binary, options.leafSize, blocks);
+      const BvhNodes binary = buildBvhNodes(surface, splitter, options.maxDepth, progress);
+      this->tree_ = fillWideBvh(surface, binary, options.leafSize, blocks, progress);
     }
   }
 
@@ -57,9 +58,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildWideBvh(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<TreeAccelerator<WideBvh>>(std::move(surface), options);
+  return std::make_shared<TreeAccelerator<WideBvh>>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

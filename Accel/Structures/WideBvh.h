@@ -11,7 +11,8 @@ namespace lumitree
 /// A bounding volume hierarchy of eight children a node, collapsed from a binary one: the structure
 /// for production.
 [[nodiscard]] std::shared_ptr<const Accelerator> buildWideBvh(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+  std::shared_ptr<const Surface> surface, const BuildOptions& options,
+  JobControl* control = nullptr);
 
 } // namespace lumitree
 

@@ -83,11 +83,12 @@ std::uint32_t appendLeaf(
 
 } // namespace
 
-WideBvhNodes fillWideBvh(
-  const Surface& surface, const BvhNodes& binary, int leafSize, LeafBlocks& blocks)
+WideBvhNodes fillWideBvh(const Surface& surface, const BvhNodes& binary, int leafSize,
+  LeafBlocks& blocks, BuildProgress& progress)
 {
   const std::vector<CollapsedNode> kept = collapse(binary, leafSize);
   const std::vector<Range> ranges = rangesOf(binary);
+  progress.stage(0.99, binary.references.size());
   std::vector<std::uint32_t> nodeOf(kept.size());
   std::uint32_t nodeCount = 0;
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -120,6 +121,7 @@ WideBvhNodes fillWideBvh(
       {
         const Range& range = ranges[child.binary];
         wide.count[lane] = range.count;
+        progress.advance(range.count);
         wide.child[lane] = std::visit(
           [&](auto& store) { return appendLeaf(surface, binary, range, store); }, blocks);
       }

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Structures_WideBvhFill_h
 #define Lumitree_Accel_Structures_WideBvhFill_h
 
+#include "Accel/BuildProgress.h"
 #include "Accel/Kernel/LeafBlocks.h"
 #include "Accel/Structures/BvhNodes.h"
 #include "Accel/Structures/WideBvhNodes.h"
@@ -12,8 +13,8 @@ namespace lumitree
 
 /// Collapses a binary tree over a surface that is not empty and writes its nodes and the blocks of
 /// its leaves.
-[[nodiscard]] WideBvhNodes fillWideBvh(
-  const Surface& surface, const BvhNodes& binary, int leafSize, LeafBlocks& blocks);
+[[nodiscard]] WideBvhNodes fillWideBvh(const Surface& surface, const BvhNodes& binary, int leafSize,
+  LeafBlocks& blocks, BuildProgress& progress);
 
 } // namespace lumitree
 

@@ -104,13 +104,13 @@ private:
   std::atomic<long long> lastGathering_{ 0 };
 };
 
-std::vector<SurfacePart> convert(const std::vector<InputLeaf>& leaves)
+std::vector<SurfacePart> convert(const std::vector<InputLeaf>& leaves, int threads)
 {
   std::vector<SurfacePart> parts;
   for (const InputLeaf& leaf : leaves)
   {
     parts.emplace_back();
-    parts.back().triangles = trianglesOf(leaf.data);
+    parts.back().triangles = trianglesOf(leaf.data, threads);
     parts.back().leaf.compositeIndex = leaf.compositeIndex;
   }
   return parts;
@@ -123,7 +123,7 @@ struct Located
   std::vector<vtkSmartPointer<vtkDataSet>> leaves;
 };
 
-Located locateHere(vtkDataObject* input)
+Located locateHere(vtkDataObject* input, int threads)
 {
   const std::vector<InputLeaf> leaves = leavesOf(input);
   const GeometryKey key = keyOf(leaves);
@@ -131,8 +131,8 @@ Located locateHere(vtkDataObject* input)
   located.surface = Cache::instance().find(key).surface;
   if (!located.surface)
   {
-    located.surface =
-      Cache::instance().remember(key, std::make_shared<SharedSurface>(convert(leaves), false), 0);
+    located.surface = Cache::instance().remember(
+      key, std::make_shared<SharedSurface>(convert(leaves, threads), false, threads), 0);
   }
   for (const InputLeaf& leaf : leaves)
   {
@@ -169,7 +169,7 @@ void together(vtkMultiProcessController* controller, Step&& step)
 }
 
 Located locateEverywhere(
-  vtkDataObject* input, vtkMultiProcessController* controller, GatherArrays arrays)
+  vtkDataObject* input, vtkMultiProcessController* controller, GatherArrays arrays, int threads)
 {
   std::vector<InputLeaf> leaves;
   GeometryKey key;
@@ -205,8 +205,8 @@ Located locateEverywhere(
     {
       for (const InputLeaf& leaf : leaves)
       {
-        mine.push_back(pack(
-          trianglesOf(leaf.data), leaf.data, leaf.compositeIndex, arrays == GatherArrays::Yes));
+        mine.push_back(pack(trianglesOf(leaf.data, threads), leaf.data, leaf.compositeIndex,
+          arrays == GatherArrays::Yes));
       }
     });
   std::vector<SurfacePart> parts;
@@ -220,26 +220,41 @@ Located locateEverywhere(
       {
         parts.push_back(unpack(vtkPolyData::SafeDownCast(one.object), one.process));
       }
-      surface = std::make_shared<SharedSurface>(std::move(parts), true);
+      surface = std::make_shared<SharedSurface>(std::move(parts), true, threads);
     });
   const long long gathering = Cache::instance().nextGathering(controller);
   return { Cache::instance().remember(key, surface, gathering), {} };
 }
 
-Located locate(vtkDataObject* input, vtkMultiProcessController* controller, GatherArrays arrays)
+Located locate(
+  vtkDataObject* input, vtkMultiProcessController* controller, GatherArrays arrays, int threads)
 {
-  return isDistributed(controller) ? locateEverywhere(input, controller, arrays)
-                                   : locateHere(input);
+  return isDistributed(controller) ? locateEverywhere(input, controller, arrays, threads)
+                                   : locateHere(input, threads);
+}
+
+/// The accelerator, or null where the build was stopped.
+std::shared_ptr<const Accelerator> unlessStopped(
+  SharedSurface& surface, const BuildOptions& options, JobControl* control)
+{
+  try
+  {
+    return surface.accelerator(options, control);
+  }
+  catch (const BuildStopped&)
+  {
+    return nullptr;
+  }
 }
 
 } // namespace
 
 std::shared_ptr<const SurfaceInput> surfaceFor(vtkDataObject* input,
-  vtkMultiProcessController* controller, vtkAlgorithm* reporter, GatherArrays arrays)
+  vtkMultiProcessController* controller, vtkAlgorithm* reporter, GatherArrays arrays, int threads)
 {
   try
   {
-    const Located located = locate(input, controller, arrays);
+    const Located located = locate(input, controller, arrays, threads);
     return located.surface->input(located.leaves);
   }
   catch (const std::exception& error)
@@ -250,12 +265,13 @@ std::shared_ptr<const SurfaceInput> surfaceFor(vtkDataObject* input,
 }
 
 std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& options,
-  vtkMultiProcessController* controller, vtkAlgorithm* reporter, GatherArrays arrays)
+  vtkMultiProcessController* controller, vtkAlgorithm* reporter, GatherArrays arrays,
+  JobControl* control)
 {
   Located located;
   try
   {
-    located = locate(input, controller, arrays);
+    located = locate(input, controller, arrays, options.threads);
   }
   catch (const std::exception& error)
   {
@@ -265,7 +281,13 @@ std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& op
   try
   {
     auto tree = std::make_shared<Tree>();
-    tree->accelerator = located.surface->accelerator(options);
+    tree->accelerator = unlessStopped(*located.surface, options, control);
+    // Stopped on one rank, all ranks go without, so that none waits for another.
+    const bool stopped = !tree->accelerator;
+    if (isDistributed(controller) ? largestOfAll(controller, stopped) != 0 : stopped)
+    {
+      return nullptr;
+    }
     tree->input = located.surface->input(located.leaves);
     return tree;
   }

@@ -48,16 +48,17 @@ enum class GatherArrays
 /// of them, in order of rank. Without input data (null) a rank takes part with nothing.
 ///
 /// On bad input: one vtkErrorMacro of the reporter (on every rank), and null. The reporter's
-/// progress is not touched.
+/// progress is not touched. threads: to convert with, as threadsFor gives them.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::shared_ptr<const SurfaceInput> surfaceFor(
   vtkDataObject* input, vtkMultiProcessController* controller, vtkAlgorithm* reporter,
-  GatherArrays arrays = GatherArrays::Yes);
+  GatherArrays arrays = GatherArrays::Yes, int threads = 0);
 
-/// The accelerator over that surface, built if nobody has it yet. Unknown structures and options
-/// out of range are reported like bad input.
+/// The accelerator over that surface, built if nobody has it yet, with options.threads threads, as
+/// the surface is converted. Unknown structures and options out of range are reported like bad
+/// input. Null without a message when the control was told to stop, on any rank.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::shared_ptr<const Tree> treeFor(vtkDataObject* input,
   const BuildOptions& options, vtkMultiProcessController* controller, vtkAlgorithm* reporter,
-  GatherArrays arrays = GatherArrays::Yes);
+  GatherArrays arrays = GatherArrays::Yes, JobControl* control = nullptr);
 
 /// How many accelerators this process has built, for tests.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::uint64_t treeBuilds();

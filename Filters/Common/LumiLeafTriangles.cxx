@@ -77,7 +77,7 @@ void triangulate(const std::vector<PolygonCell>& order, std::size_t begin, std::
 
 } // namespace
 
-LeafTriangles trianglesOf(vtkDataSet* leaf)
+LeafTriangles trianglesOf(vtkDataSet* leaf, int threads)
 {
   LeafTriangles result;
   const CellSelection selection = selectCells(leaf);
@@ -97,7 +97,7 @@ LeafTriangles trianglesOf(vtkDataSet* leaf)
 
   const std::vector<PolygonCell> order = polygonsInOrder(surface, selection);
   std::vector<Chunk> chunks((order.size() + chunkSize - 1) / chunkSize);
-  parallelFor(order.size(), chunkSize, threadsFor(0), nullptr,
+  parallelFor(order.size(), chunkSize, threadsFor(threads), nullptr,
     [&](std::size_t begin, std::size_t end)
     { triangulate(order, begin, end, surface, result.points, chunks[begin / chunkSize]); });
 

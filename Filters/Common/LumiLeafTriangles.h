@@ -29,7 +29,7 @@ struct LeafTriangles
 
 /// Throws std::invalid_argument for cells that name points that do not exist and for more than 2^32
 /// − 2 points or triangles.
-[[nodiscard]] LeafTriangles trianglesOf(vtkDataSet* leaf);
+[[nodiscard]] LeafTriangles trianglesOf(vtkDataSet* leaf, int threads = 0);
 
 } // namespace lumitree::filters
 #endif

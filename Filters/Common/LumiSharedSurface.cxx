@@ -62,7 +62,7 @@ bool isIdentity(const std::vector<std::int64_t>& cells)
 
 } // namespace
 
-SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered)
+SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int threads)
 {
   auto index = std::make_unique<SurfaceIndex>(parts.size());
   index->gathered = gathered;
@@ -129,8 +129,8 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered)
     sources.cells = {};
   }
 
-  this->input_.surface =
-    std::make_shared<const Surface>(std::move(joinedPoints), std::move(all), std::move(sources));
+  this->input_.surface = std::make_shared<const Surface>(
+    std::move(joinedPoints), std::move(all), std::move(sources), threads);
   index->surface = this->input_.surface;
   this->index_ = std::move(index);
 }
@@ -163,7 +163,8 @@ std::shared_ptr<const Accelerator> SharedSurface::find(const BuildOptions& optio
   return nullptr;
 }
 
-std::shared_ptr<const Accelerator> SharedSurface::accelerator(const BuildOptions& options)
+std::shared_ptr<const Accelerator> SharedSurface::accelerator(
+  const BuildOptions& options, JobControl* control)
 {
   {
     const std::lock_guard<std::mutex> lock(this->mutex_);
@@ -172,7 +173,7 @@ std::shared_ptr<const Accelerator> SharedSurface::accelerator(const BuildOptions
       return existing;
     }
   }
-  std::shared_ptr<const Accelerator> built = build(this->input_.surface, options);
+  std::shared_ptr<const Accelerator> built = build(this->input_.surface, options, control);
   ++builds;
   const std::lock_guard<std::mutex> lock(this->mutex_);
   if (std::shared_ptr<const Accelerator> earlier = this->find(options))

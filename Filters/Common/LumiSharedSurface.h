@@ -31,7 +31,7 @@ class SharedSurface : public std::enable_shared_from_this<SharedSurface>
 public:
   /// `gathered`: the parts carry their datasets, whose cells are the triangles. Throws
   /// std::invalid_argument when there are too many points or triangles.
-  SharedSurface(std::vector<SurfacePart> parts, bool gathered);
+  SharedSurface(std::vector<SurfacePart> parts, bool gathered, int threads = 0);
 
   /// The surface as a filter sees it; it keeps this object, and so what the cache remembers.
   /// `leaves` are the current datasets, in the order of the parts; none when they were gathered.
@@ -40,8 +40,9 @@ public:
 
   /// An accelerator over the surface, the one that exists or a new one. Built without a lock:
   /// progress observers may run other filters meanwhile. Of two built at the same time the first
-  /// one stays.
-  [[nodiscard]] std::shared_ptr<const Accelerator> accelerator(const BuildOptions& options);
+  /// one stays. Throws BuildStopped.
+  [[nodiscard]] std::shared_ptr<const Accelerator> accelerator(
+    const BuildOptions& options, JobControl* control = nullptr);
 
 private:
   [[nodiscard]] std::shared_ptr<const Accelerator> find(const BuildOptions& options);

@@ -31,6 +31,9 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+/// Of the progress bar, for the structure.
+constexpr double buildShare = 0.2;
+
 /// Asks an input for this rank's piece of everything, whatever part of the receivers is asked for.
 void RequestPiece(vtkInformation* input, int piece, int pieces)
 {
@@ -115,9 +118,11 @@ struct vtkLumiIrradiance::Internals
     {
       lumitree::BuildOptions options;
       options.structure = static_cast<lumitree::Structure>(self->Structure);
+      options.threads = light.threads;
+      filters::Job buildJob(self, 0.0, buildShare);
       vtkInformationVector* occluders = OccludersAreReceivers(inputs) ? inputs[0] : inputs[1];
       this->Tree = filters::treeFor(vtkDataObject::GetData(occluders), options, this->Controller,
-        self, filters::GatherArrays::No);
+        self, filters::GatherArrays::No, buildJob.control());
       light.tree = this->Tree;
       return light.tree != nullptr;
     }
@@ -138,7 +143,12 @@ struct vtkLumiIrradiance::Internals
     std::uint64_t undefined = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i)
     {
-      filters::Job job(self, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      const auto part = [&](std::size_t done)
+      {
+        const double share = light.tree ? buildShare : 0.0;
+        return share + (1.0 - share) * static_cast<double>(done) / count;
+      };
+      filters::Job job(self, part(i), part(i + 1));
       const filters::IlluminationReport report = light.addTo(
         leaves[i].Data, leaves[i].CompositeIndex, this->Rank(), shadowsItself, job.control());
       if (!report.completed)
@@ -229,7 +239,8 @@ int vtkLumiIrradiance::FillInputPortInformation(int port, vtkInformation* info)
   // block would not shadow another.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPolyData" : "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  // Lights are needed, but their absence is reported here, once, and not by the pipeline at each update.
+  // Lights are needed, but their absence is reported here, once, and not by the pipeline at each
+  // update.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 2 ? 1 : 0);
   return 1;

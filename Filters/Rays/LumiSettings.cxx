@@ -39,6 +39,7 @@ BuildOptions buildOptions(vtkLumiRayAlgorithm* filter)
   options.structure = static_cast<Structure>(filter->GetStructure());
   options.bvhBuild = static_cast<BvhBuild>(filter->GetBvhBuild());
   options.leafSize = filter->GetLeafSize();
+  options.threads = threadsFor(filter->GetNumberOfThreads());
   return options;
 }
 

@@ -88,11 +88,12 @@ int vtkLumiAccelerationStructure::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkMultiProcessController* controller = this->GetController();
+  filters::Job buildJob(this, 0.0, 0.5);
   this->Impl->Tree = filters::treeFor(vtkDataObject::GetData(inputs[0], 0),
-    filters::buildOptions(this), controller, this, filters::GatherArrays::No);
+    filters::buildOptions(this), controller, this, filters::GatherArrays::No, buildJob.control());
   if (!this->Impl->Tree)
   {
-    return 1; // reported; returning 0 would make VTK report it a second time
+    return 1; // reported, or stopped; returning 0 would make VTK report it a second time
   }
   try
   {
@@ -132,7 +133,7 @@ bool vtkLumiAccelerationStructure::Internals::Cast(
   }
   try
   {
-    filters::Job job(self, 0.1, 0.9);
+    filters::Job job(self, 0.5, 0.9);
     const lumitree::QueryReport report =
       visits.cast(static_cast<lumitree::QueryKind>(self->GetQuery()),
         *self->Impl->Tree->accelerator, rays.batch, filters::queryOptions(self, job));

@@ -25,6 +25,12 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace filters = lumitree::filters;
 
+namespace
+{
+/// Of the progress bar, for the structure.
+constexpr double buildShare = 0.3;
+}
+
 struct vtkLumiRayCast::Internals
 {
   std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
@@ -76,15 +82,17 @@ int vtkLumiRayCast::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   // First what all ranks do together, so that a rank whose rays are wrong keeps no other waiting.
+  filters::Job buildJob(this, 0.0, buildShare);
   this->Impl->Tree = filters::treeFor(vtkDataObject::GetData(inputs[0], 0),
     filters::buildOptions(this), this->GetController(), this,
-    this->PassSurfaceData ? filters::GatherArrays::Yes : filters::GatherArrays::No);
+    this->PassSurfaceData ? filters::GatherArrays::Yes : filters::GatherArrays::No,
+    buildJob.control());
 
   filters::RayInput rays;
   vtkDataObject* raysInput = vtkDataObject::GetData(inputs[1], 0);
   if (!this->Impl->Tree || !filters::readRays(this, raysInput, rays))
   {
-    return 1; // reported; returning 0 would make VTK report it a second time
+    return 1; // reported, or stopped; returning 0 would make VTK report it a second time
   }
   try
   {
@@ -103,7 +111,7 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
 {
   const filters::Tree& tree = *self->Impl->Tree;
   const filters::Buffer<lumitree::RayCounters> counters(self->CountTraversal ? rays.batch.size : 0);
-  filters::Job job(self, 0.1, 0.9);
+  filters::Job job(self, buildShare, 0.9);
   lumitree::QueryOptions options = filters::queryOptions(self, job);
   options.perRay = counters.data();
   const filters::Cast cast(

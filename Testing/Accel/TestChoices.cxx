@@ -103,7 +103,7 @@ TEST(Registry, ABackEndCanBeAddedAndReplaced)
   const auto add = [](int& calls)
   {
     Registry::instance().add({ Structure::Cgal, "a stand-in",
-      [&calls](std::shared_ptr<const Surface> surface, const BuildOptions& options)
+      [&calls](std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl*)
       {
         ++calls;
         BuildOptions other = options;

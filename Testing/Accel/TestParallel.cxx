@@ -177,4 +177,100 @@ TEST(Jobs, AStoppedQuerySaysSoAndTheRestAreMisses)
   }
 }
 
+/// What a builder told of its progress.
+struct Told
+{
+  explicit Told(double patience = 2.0)
+  {
+    this->control.onProgress = [this, patience](double fraction)
+    {
+      this->elsewhere += std::this_thread::get_id() == this->caller ? 0 : 1;
+      this->fractions.push_back(fraction);
+      return fraction < patience;
+    };
+  }
+  JobControl control;
+  std::thread::id caller = std::this_thread::get_id();
+  int elsewhere = 0;
+  std::vector<double> fractions;
+};
+
+/// Those of our own, and Embree where it is there.
+std::vector<BuildOptions> allBuilds()
+{
+  std::vector<BuildOptions> all = ownStructures();
+  if (Registry::instance().has(Structure::Embree))
+  {
+    all.push_back(optionsOf(Structure::Embree));
+  }
+  return all;
+}
+
+TEST(Jobs, BuildsTellTheirProgress)
+{
+  const auto surface = surfaceOf<float>(data::terrain(96));
+  for (BuildOptions options : allBuilds())
+  {
+    for (const int threads : { 1, 2 })
+    {
+      SCOPED_TRACE(label(options) + ", threads " + std::to_string(threads));
+      options.threads = threads;
+      Told told;
+      EXPECT_TRUE(build(surface, options, &told.control));
+      EXPECT_EQ(told.elsewhere, 0);
+      EXPECT_TRUE(std::is_sorted(told.fractions.begin(), told.fractions.end()));
+      if (options.structure != Structure::Embree)
+      {
+        ASSERT_FALSE(told.fractions.empty());
+        EXPECT_EQ(told.fractions.front(), 0.0);
+        EXPECT_EQ(told.fractions.back(), 1.0);
+        EXPECT_GT(told.fractions.size(), options.structure == Structure::BruteForce ? 1u : 20u);
+      }
+    }
+  }
+}
+
+TEST(Jobs, AStoppedBuildThrowsWhereverItWas)
+{
+  const auto surface = surfaceOf<float>(data::terrain(96));
+  for (BuildOptions options : allBuilds())
+  {
+    SCOPED_TRACE(label(options));
+    JobControl stopped;
+    stopped.stop = true;
+    EXPECT_THROW((void)build(surface, options, &stopped), BuildStopped);
+    if (options.structure == Structure::Embree || options.structure == Structure::BruteForce)
+    {
+      continue; // so quick that it may be over first
+    }
+    for (const double patience : { 0.01, 0.3, 0.6, 0.9 })
+    {
+      for (const int threads : { 1, 2 })
+      {
+        options.threads = threads;
+        Told told(patience);
+        EXPECT_THROW((void)build(surface, options, &told.control), BuildStopped) << patience;
+        ASSERT_FALSE(told.fractions.empty());
+        EXPECT_GE(told.fractions.back(), patience);
+        EXPECT_LT(told.fractions.back(), 1.0);
+      }
+    }
+  }
+}
+
+TEST(Jobs, AWorkerCanStopABuild)
+{
+  const auto surface = surfaceOf<float>(data::terrain(256));
+  BuildOptions options = optionsOf(Structure::KdTree);
+  JobControl control;
+  std::thread other(
+    [&]
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      control.stop = true;
+    });
+  EXPECT_THROW((void)build(surface, options, &control), BuildStopped);
+  other.join();
+}
+
 } // namespace

@@ -215,6 +215,34 @@ TEST(RayPipeline, AnAbortedCastIsWhole)
   EXPECT_EQ(rays->GetNumberOfPoints(), 200000);
 }
 
+TEST(RayPipeline, AnAbortedBuildLeavesNothingAndNoMessage)
+{
+  vtkNew<vtkLumiRayCast> cast;
+  cast->SetInputData(0, polyData(lumitree::data::terrain(64)));
+  cast->SetRaysData(pointRays(raysAtUnitBall(100)));
+  cast->SetStructure(static_cast<int>(lumitree::Structure::KdTree));
+  Messages messages(cast);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(
+    [](vtkObject* object, unsigned long, void*, void*)
+    {
+      auto* filter = static_cast<vtkAlgorithm*>(object);
+      filter->SetAbortExecute(filter->GetProgress() > 0.1 ? 1 : 0);
+    });
+  const unsigned long tag = cast->AddObserver(vtkCommand::ProgressEvent, command);
+  const std::uint64_t before = lumitree::filters::treeBuilds();
+  cast->Update();
+  EXPECT_EQ(lumitree::filters::treeBuilds(), before);
+  EXPECT_EQ(messages.errors, 0) << messages.text;
+  EXPECT_EQ(cast->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::POINT), 0);
+  cast->RemoveObserver(tag);
+  cast->SetAbortExecute(0);
+  cast->Modified();
+  cast->Update();
+  EXPECT_EQ(lumitree::filters::treeBuilds(), before + 1);
+  EXPECT_EQ(cast->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::POINT), 100);
+}
+
 TEST(RayPipeline, TheImageOfRaysKeepsItsExtent)
 {
   vtkNew<vtkImageData> volume; // an image as well, of another size

@@ -27,13 +27,17 @@ std::mutex& cgalMutex()
 class CgalAccelerator final : public Accelerator
 {
 public:
-  CgalAccelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  CgalAccelerator(
+    std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
     : Accelerator(std::move(surface), options)
   {
     const std::lock_guard<std::mutex> lock(cgalMutex());
     const FloatEnvironment environment;
     const auto start = std::chrono::steady_clock::now();
-    this->tree_ = std::make_unique<const CgalTree>(this->surface());
+    BuildProgress progress(control, options.threads);
+    this->tree_ = std::make_unique<const CgalTree>(this->surface(), progress);
+    progress.stage(1.0, 0);
+    progress.advance(1);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     this->statistics_.nodes = 1;
@@ -169,9 +173,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildCgal(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<CgalAccelerator>(std::move(surface), options);
+  return std::make_shared<CgalAccelerator>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

@@ -9,8 +9,8 @@ namespace lumitree
 {
 
 /// The accelerator behind Structure::Cgal; README.md says what it promises.
-[[nodiscard]] std::shared_ptr<const Accelerator> buildCgal(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildCgal(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, JobControl* control = nullptr);
 
 } // namespace lumitree
 

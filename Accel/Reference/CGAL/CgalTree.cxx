@@ -98,14 +98,16 @@ struct ExactHit
 
 struct CgalTree::Internals
 {
-  explicit Internals(const Surface& s)
+  Internals(const Surface& s, BuildProgress& progress)
     : surface(s)
   {
+    progress.stage(0.5, s.hittable().size());
     this->triangles.reserve(s.hittable().size());
     for (const PrimitiveId id : s.hittable())
     {
       const auto v = s.vertices(id);
       this->triangles.emplace_back(pointOf(v[0]), pointOf(v[1]), pointOf(v[2]));
+      progress.advance(1);
     }
     this->tree.insert(this->triangles.begin(), this->triangles.end());
     this->tree.build();
@@ -142,8 +144,8 @@ struct CgalTree::Internals
   Tree tree;
 };
 
-CgalTree::CgalTree(const Surface& surface)
-  : internals_(std::make_unique<Internals>(surface))
+CgalTree::CgalTree(const Surface& surface, BuildProgress& progress)
+  : internals_(std::make_unique<Internals>(surface, progress))
 {
 }
 

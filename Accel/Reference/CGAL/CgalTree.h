@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Reference_CGAL_CgalTree_h
 #define Lumitree_Accel_Reference_CGAL_CgalTree_h
 
+#include "Accel/BuildProgress.h"
 #include "Accel/Surface.h"
 
 #include <cstddef>
@@ -17,7 +18,8 @@ namespace lumitree
 class CgalTree
 {
 public:
-  explicit CgalTree(const Surface& surface);
+  /// CGAL itself builds to its end: a stop is heard before and after.
+  CgalTree(const Surface& surface, BuildProgress& progress);
   ~CgalTree();
   CgalTree(const CgalTree&) = delete;
   CgalTree& operator=(const CgalTree&) = delete;

@@ -30,11 +30,13 @@ void answer(const void* structure, RayState& state, Visitor&)
 class EmbreeAccelerator final : public Accelerator
 {
 public:
-  EmbreeAccelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  EmbreeAccelerator(
+    std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
     : Accelerator(std::move(surface), options)
   {
     const auto start = std::chrono::steady_clock::now();
-    this->scene_ = std::make_unique<const EmbreeScene>(this->surface(), options.embreeRobust);
+    this->scene_ =
+      std::make_unique<const EmbreeScene>(this->surface(), options.embreeRobust, control);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
     this->statistics_ = describe(this->hierarchy(), this->surface());
@@ -108,9 +110,9 @@ private:
 } // namespace
 
 std::shared_ptr<const Accelerator> buildEmbree(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options)
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<EmbreeAccelerator>(std::move(surface), options);
+  return std::make_shared<EmbreeAccelerator>(std::move(surface), options, control);
 }
 
 } // namespace lumitree

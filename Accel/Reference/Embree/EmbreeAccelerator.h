@@ -9,8 +9,8 @@ namespace lumitree
 {
 
 /// The accelerator behind Structure::Embree; README.md says what it promises.
-[[nodiscard]] std::shared_ptr<const Accelerator> buildEmbree(
-  std::shared_ptr<const Surface> surface, const BuildOptions& options);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildEmbree(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, JobControl* control = nullptr);
 
 } // namespace lumitree
 

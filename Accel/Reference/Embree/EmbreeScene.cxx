@@ -5,9 +5,11 @@
 #include "Accel/Reference/Embree/EmbreeFrame.h"
 #include "Accel/Reference/Embree/EmbreeVersions.h"
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace lumitree
 {
@@ -78,6 +80,39 @@ void collect(const RTCFilterFunctionNArguments* arguments)
   }
   arguments->valid[0] = 0;
 }
+
+/// Embree asks from any of its threads whether to go on.
+class Monitor
+{
+public:
+  explicit Monitor(JobControl* control)
+    : control_(control)
+  {
+  }
+
+  static bool ask(void* self, double fraction)
+  {
+    auto& monitor = *static_cast<Monitor*>(self);
+    JobControl* const control = monitor.control_;
+    if (control && control->onProgress && std::this_thread::get_id() == monitor.caller_ &&
+      fraction > monitor.reported_)
+    {
+      monitor.reported_ = fraction;
+      if (!control->onProgress(std::min(fraction, 1.0)))
+      {
+        control->stop.store(true);
+      }
+    }
+    return !monitor.stopped();
+  }
+
+  [[nodiscard]] bool stopped() const { return this->control_ && this->control_->stop.load(); }
+
+private:
+  JobControl* control_;
+  double reported_ = -1.0;
+  std::thread::id caller_ = std::this_thread::get_id();
+};
 
 void set(const EmbreeSegment& segment, RTCRay& ray)
 {
@@ -158,7 +193,7 @@ struct EmbreeScene::Internals
   RTCScene scene = nullptr;
 };
 
-EmbreeScene::EmbreeScene(const Surface& surface, bool robust)
+EmbreeScene::EmbreeScene(const Surface& surface, bool robust, JobControl* control)
   : internals_(std::make_unique<Internals>(surface))
 {
   const RTCScene scene = this->internals_->scene;
@@ -169,7 +204,14 @@ EmbreeScene::EmbreeScene(const Surface& surface, bool robust)
   {
     this->internals_->add(surface);
   }
+  Monitor monitor(control);
+  rtcSetSceneProgressMonitorFunction(scene, &Monitor::ask, &monitor);
   rtcCommitScene(scene);
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  if (monitor.stopped())
+  {
+    throw BuildStopped("the build was stopped");
+  }
   const RTCError error = rtcGetDeviceError(this->internals_->device);
   if (error != RTC_ERROR_NONE)
   {

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Reference_Embree_EmbreeScene_h
 #define Lumitree_Accel_Reference_Embree_EmbreeScene_h
 
+#include "Accel/Accelerator.h"
 #include "Accel/Kernel/RayState.h"
 
 #include <cstddef>
@@ -16,8 +17,9 @@ namespace lumitree
 class EmbreeScene
 {
 public:
-  /// Throws std::runtime_error when Embree cannot build.
-  EmbreeScene(const Surface& surface, bool robust);
+  /// Throws std::runtime_error when Embree cannot build,
+  /// BuildStopped when it was stopped. It builds with the threads that oneTBB gives.
+  EmbreeScene(const Surface& surface, bool robust, JobControl* control);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
