@@ -10,7 +10,8 @@ namespace
 {
 
 constexpr std::array<std::string_view, structureCount> structureNames = { "auto", "brute_force",
-  "bvh", "wide_bvh", "grid", "octree", "kd_tree", "bsp_tree", "embree", "cgal" };
+  "bvh", "wide_bvh", "grid", "octree", "kd_tree", "bsp_tree", "embree", "cgal", "cgal_epick",
+  "cgal_cartesian" };
 constexpr std::array<std::string_view, precisionCount> precisionNames = { "fast", "watertight",
   "exact" };
 constexpr std::array<std::string_view, bvhBuildCount> bvhBuildNames = { "longest_axis_median",

@@ -25,10 +25,12 @@ enum class Structure : int
   Octree = 5,
   KdTree = 6,
   BspTree = 7,
-  Embree = 8, ///< Intel Embree, a reference for speed
-  Cgal = 9    ///< CGAL's AABB tree with exact predicates, the ground truth
+  Embree = 8,     ///< Intel Embree, a reference for speed
+  Cgal = 9,       ///< CGAL's AABB tree with exact numbers (EPECK), the ground truth
+  CgalEpick = 10, ///< CGAL's AABB tree with exact predicates on rounded rays (EPICK), compared with
+  CgalCartesian = 11 ///< CGAL's AABB tree in doubles (Simple_cartesian), compared with
 };
-inline constexpr int structureCount = 10;
+inline constexpr int structureCount = 12;
 
 /// What is promised about the primitives hit and their order.
 enum class Precision : int

@@ -56,7 +56,9 @@ public:
     KdTree = 6,
     BspTree = 7,
     Embree = 8,
-    Cgal = 9
+    Cgal = 9,
+    CgalEpick = 10,
+    CgalCartesian = 11
   };
 
   /**
@@ -98,7 +100,7 @@ public:
   /**
    * The structure to build, one of Structures. One that this build lacks is an error. Default Auto.
    */
-  vtkSetClampMacro(Structure, int, Auto, Cgal);
+  vtkSetClampMacro(Structure, int, Auto, CgalCartesian);
   vtkGetMacro(Structure, int);
   ///@}
 

@@ -25,6 +25,8 @@ class Structure(IntEnum):
     BSP_TREE = 7
     EMBREE = 8
     CGAL = 9
+    CGAL_EPICK = 10
+    CGAL_CARTESIAN = 11
 
 
 class Precision(IntEnum):

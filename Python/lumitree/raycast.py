@@ -98,7 +98,8 @@ class Caster:
     mesh : a vtkDataSet or a composite of them, ``(points, triangles)``, or a file's name, see
         `as_surface`. Points in numpy are shared: do not change them while this is in use.
     structure : ``"auto"``, ``"brute_force"``, ``"bvh"``, ``"wide_bvh"``, ``"grid"``, ``"octree"``,
-        ``"kd_tree"``, ``"bsp_tree"``, ``"embree"`` or ``"cgal"``. One that this build lacks is an
+        ``"kd_tree"``, ``"bsp_tree"``, ``"embree"``, ``"cgal"``, ``"cgal_epick"`` or
+        ``"cgal_cartesian"``. One that this build lacks is an
         error.
     precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``.
     bvh_build : ``"binned_sah"`` or ``"longest_axis_median"``.

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ground truth: importing this module adds the structure ``"cgal"``.
+"""Ground truth: importing this module adds the structure ``"cgal"``, and ``"cgal_epick"`` and
+``"cgal_cartesian"`` (precision ``"fast"`` only), CGAL with less exact numbers, to compare with.
 
 CGAL's AABB tree is under the GNU General Public License, version 3 or later, and so is this module; nothing
 else of the package imports it. ::

@@ -50,6 +50,8 @@ TEST(Choices, ValuesAreThoseOfTheDataModel)
   EXPECT_EQ(static_cast<int>(Structure::BspTree), 7);
   EXPECT_EQ(static_cast<int>(Structure::Embree), 8);
   EXPECT_EQ(static_cast<int>(Structure::Cgal), 9);
+  EXPECT_EQ(static_cast<int>(Structure::CgalEpick), 10);
+  EXPECT_EQ(static_cast<int>(Structure::CgalCartesian), 11);
   EXPECT_EQ(static_cast<int>(Precision::Exact), 2);
 }
 

@@ -225,6 +225,85 @@ TEST_F(GroundTruth, CgalAnswersExactQueriesOnly)
   }
 }
 
+TEST_F(GroundTruth, TheOtherKernelsAgreeOnOrdinaryRays)
+{
+  for (const Structure structure : { Structure::CgalEpick, Structure::CgalCartesian })
+  {
+    for (const Scene& scene : scenes())
+    {
+      SCOPED_TRACE(scene.name + ", " + std::string(name(structure)));
+      const Rays rays = ordinaryRays(*scene.surface, 300);
+      std::vector<Hit> truth(rays.size());
+      std::vector<Hit> hits(rays.size());
+      const auto asked = build(scene.surface, optionsOf(structure));
+      build(scene.surface, optionsOf(Structure::WideBvh))
+        ->closest(rays.batch(), truth.data(), with(Precision::Exact));
+      asked->closest(rays.batch(), hits.data(), with(Precision::Fast));
+      std::size_t others = 0;
+      for (std::size_t i = 0; i < rays.size(); ++i)
+      {
+        others += hits[i].primitive != truth[i].primitive ? 1 : 0;
+        if (hits[i].primitive == truth[i].primitive && truth[i].primitive != noPrimitive)
+        {
+          EXPECT_NEAR(hits[i].t, truth[i].t, 1e-6 * std::fabs(truth[i].t)) << "ray " << i;
+          EXPECT_NEAR(hits[i].u, truth[i].u, 1e-3) << "ray " << i;
+          EXPECT_NEAR(hits[i].v, truth[i].v, 1e-3) << "ray " << i;
+        }
+      }
+      EXPECT_LE(others, 3u);
+    }
+  }
+}
+
+TEST_F(GroundTruth, TheOtherKernelsKeepLimitsAndRefuseWhatTheyCannot)
+{
+  const auto surface = surfaceOf<double>(
+    std::vector<std::array<Vec3, 3>>{ { Vec3{ 0, 0, 1 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } },
+      { Vec3{ 0, 0, -1 }, Vec3{ 1, 0, -1 }, Vec3{ 0, 1, -1 } },
+      { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 0, 1 } } });
+  for (const Structure structure : { Structure::CgalEpick, Structure::CgalCartesian })
+  {
+    const auto asked = build(surface, optionsOf(structure));
+    EXPECT_TRUE(asked->supports(Precision::Fast));
+    const Vec3 o = { 0.25, 0.25, 0 };
+    const auto ids = [&](double tMin, double tMax)
+    {
+      std::vector<PrimitiveId> found;
+      for (const Hit& hit : allOf(*asked, { o, { 0, 0, 1 }, tMin, tMax }, Precision::Fast))
+      {
+        found.push_back(hit.primitive);
+      }
+      return found;
+    };
+    EXPECT_EQ(ids(0, HUGE_VAL), (std::vector<PrimitiveId>{ 0 }));
+    EXPECT_EQ(ids(0, 1), (std::vector<PrimitiveId>{ 0 }));
+    EXPECT_EQ(ids(-1, 1), (std::vector<PrimitiveId>{ 1, 0 }));
+    EXPECT_EQ(ids(-HUGE_VAL, 0.5), (std::vector<PrimitiveId>{ 1 }));
+    EXPECT_TRUE(ids(0, 0.5).empty());
+    // In the plane of the third: no hit of it.
+    EXPECT_EQ(closestOf(*asked, { { 0.25, 0, -0.5 }, { 0, 0, 1 } }, Precision::Fast).primitive, 0u);
+    Rays rays;
+    rays.add(o, { 0, 0, 1 });
+    Hit hit;
+    for (const Precision precision : { Precision::Watertight, Precision::Exact })
+    {
+      EXPECT_FALSE(asked->supports(precision));
+      try
+      {
+        asked->closest(rays.batch(), &hit, with(precision));
+        FAIL() << "answered";
+      }
+      catch (const UnsupportedQuery& refusal)
+      {
+        EXPECT_NE(std::string(refusal.what()).find(name(structure)), std::string::npos);
+      }
+    }
+    const auto nothing =
+      build(surfaceOf<float>(std::vector<std::array<Vec3, 3>>{}), optionsOf(structure));
+    EXPECT_EQ(closestOf(*nothing, { o, { 0, 0, 1 } }, Precision::Fast).primitive, noPrimitive);
+  }
+}
+
 TEST_F(GroundTruth, CgalsQueriesAgreeWithEachOtherAndHonourTheContract)
 {
   const auto& surface = scenes().front().surface;

@@ -156,7 +156,7 @@ inline std::vector<BuildOptions> ownStructures()
   std::vector<BuildOptions> all;
   for (const Structure structure : Registry::instance().structures())
   {
-    if (structure != Structure::Embree && structure != Structure::Cgal)
+    if (structure < Structure::Embree)
     {
       all.push_back(optionsOf(structure));
     }

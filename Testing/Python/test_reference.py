@@ -29,3 +29,13 @@ def test_cgal_is_exact_only():
     mesh = lumitree.scene("teapot", resolution=2)
     with pytest.raises(lumitree.LumitreeError):
         lumitree.cast(mesh, (0, 0, 5), (0, 0, -1), structure="cgal", precision="fast")
+
+
+@pytest.mark.parametrize("structure", ["cgal_epick", "cgal_cartesian"])
+def test_other_kernels_of_cgal_are_fast_only(structure):
+    mesh = lumitree.scene("teapot", resolution=3)
+    hit = lumitree.cast(mesh, (0.3, 0.2, 9), (0, 0, -1), structure=structure, precision="fast")
+    ours = lumitree.cast(mesh, (0.3, 0.2, 9), (0, 0, -1), precision="exact")
+    assert np.array_equal(hit.cell_id, ours.cell_id)
+    with pytest.raises(lumitree.LumitreeError):
+        lumitree.cast(mesh, (0, 0, 5), (0, 0, -1), structure=structure, precision="exact")

@@ -27,15 +27,17 @@ std::mutex& cgalMutex()
 class CgalAccelerator final : public Accelerator
 {
 public:
-  CgalAccelerator(
-    std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
+  CgalAccelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options,
+    JobControl* control, Precision precision,
+    std::unique_ptr<const CgalTree> (*makeTree)(const Surface&, BuildProgress&))
     : Accelerator(std::move(surface), options)
+    , precision_(precision)
   {
     const std::lock_guard<std::mutex> lock(cgalMutex());
     const FloatEnvironment environment;
     const auto start = std::chrono::steady_clock::now();
     BuildProgress progress(control, options.threads);
-    this->tree_ = std::make_unique<const CgalTree>(this->surface(), progress);
+    this->tree_ = makeTree(this->surface(), progress);
     progress.stage(1.0, 0);
     progress.advance(1);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -57,7 +59,7 @@ public:
 
   [[nodiscard]] bool supports(Precision precision) const override
   {
-    return precision == Precision::Exact;
+    return precision == this->precision_;
   }
 
   QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const override
@@ -122,8 +124,8 @@ private:
   {
     if (!this->supports(options.precision))
     {
-      throw UnsupportedQuery("structure '" + std::string(name(Structure::Cgal)) +
-        "' answers with precision '" + std::string(name(Precision::Exact)) + "' only, not '" +
+      throw UnsupportedQuery("structure '" + std::string(name(this->options().structure)) +
+        "' answers with precision '" + std::string(name(this->precision_)) + "' only, not '" +
         std::string(name(options.precision)) + "'");
     }
     const std::lock_guard<std::mutex> lock(cgalMutex());
@@ -167,6 +169,7 @@ private:
     this->tree_->all(ray, first, last, found);
   }
 
+  Precision precision_;
   std::unique_ptr<const CgalTree> tree_;
 };
 
@@ -175,7 +178,22 @@ private:
 std::shared_ptr<const Accelerator> buildCgal(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
-  return std::make_shared<CgalAccelerator>(std::move(surface), options, control);
+  return std::make_shared<CgalAccelerator>(
+    std::move(surface), options, control, Precision::Exact, makeEpeckTree);
+}
+
+std::shared_ptr<const Accelerator> buildCgalEpick(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
+{
+  return std::make_shared<CgalAccelerator>(
+    std::move(surface), options, control, Precision::Fast, makeEpickTree);
+}
+
+std::shared_ptr<const Accelerator> buildCgalCartesian(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
+{
+  return std::make_shared<CgalAccelerator>(
+    std::move(surface), options, control, Precision::Fast, makeCartesianTree);
 }
 
 } // namespace lumitree

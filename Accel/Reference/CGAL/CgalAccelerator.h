@@ -8,9 +8,18 @@
 namespace lumitree
 {
 
-/// The accelerator behind Structure::Cgal; README.md says what it promises.
+/// The accelerators behind Structure::Cgal, CgalEpick and CgalCartesian; README.md says what each
+/// promises.
+///@{
 [[nodiscard]] std::shared_ptr<const Accelerator> buildCgal(std::shared_ptr<const Surface> surface,
   const BuildOptions& options, JobControl* control = nullptr);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildCgalEpick(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options,
+  JobControl* control = nullptr);
+[[nodiscard]] std::shared_ptr<const Accelerator> buildCgalCartesian(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options,
+  JobControl* control = nullptr);
+///@}
 
 } // namespace lumitree
 

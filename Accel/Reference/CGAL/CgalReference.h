@@ -8,9 +8,9 @@
 namespace lumitree
 {
 
-/// Adds Structure::Cgal to the registry of back ends. Loading the library does so, too; a program
-/// that links it calls this, because a linker drops a library of which nothing is called. Calling
-/// it again changes nothing. Thread-safe.
+/// Adds Structure::Cgal, CgalEpick and CgalCartesian to the registry of back ends. Loading the
+/// library does so, too; a program that links it calls this, because a linker drops a library of
+/// which nothing is called. Calling it again changes nothing. Thread-safe.
 LUMITREE_REFERENCE_CGAL_EXPORT void registerCgal();
 
 } // namespace lumitree

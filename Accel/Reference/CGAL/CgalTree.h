@@ -13,29 +13,39 @@
 namespace lumitree
 {
 
-/// CGAL's AABB tree over the triangles of a surface that can be hit. Not thread-safe: CGAL's lazy
-/// numbers change when they are read. The surface must outlive it.
+/// CGAL's AABB tree over the triangles of a surface that can be hit. CGAL builds to its end: a stop
+/// is heard before and after. Not thread-safe: CGAL's lazy numbers change when they are read. The
+/// surface must outlive it.
 class CgalTree
 {
 public:
-  /// CGAL itself builds to its end: a stop is heard before and after.
-  CgalTree(const Surface& surface, BuildProgress& progress);
-  ~CgalTree();
+  CgalTree() = default;
+  virtual ~CgalTree() = default;
   CgalTree(const CgalTree&) = delete;
   CgalTree& operator=(const CgalTree&) = delete;
 
-  /// Every hit of a valid ray, ordered by (exact t, primitive), into hits. Primitives skipFirst …
+  /// Every hit of a valid ray, ordered by (t, primitive), into hits. Primitives skipFirst …
   /// skipLast - 1 (ascending) are left out.
-  void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
-    std::vector<Hit>& hits) const;
+  virtual void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
+    std::vector<Hit>& hits) const = 0;
 
   /// Bytes, as far as CGAL lets one know.
-  [[nodiscard]] std::size_t memory() const;
-
-private:
-  struct Internals;
-  std::unique_ptr<Internals> internals_;
+  [[nodiscard]] virtual std::size_t memory() const = 0;
 };
+
+/// Exact predicates and constructions; hits are ordered by the exact t.
+[[nodiscard]] std::unique_ptr<const CgalTree> makeEpeckTree(
+  const Surface& surface, BuildProgress& progress);
+
+/// Exact predicates about rays as CGAL stores them (the origin and a second point, the rounded
+/// origin
+/// + direction), t of constructions in doubles.
+[[nodiscard]] std::unique_ptr<const CgalTree> makeEpickTree(
+  const Surface& surface, BuildProgress& progress);
+
+/// Doubles throughout (Simple_cartesian<double>).
+[[nodiscard]] std::unique_ptr<const CgalTree> makeCartesianTree(
+  const Surface& surface, BuildProgress& progress);
 
 } // namespace lumitree
 

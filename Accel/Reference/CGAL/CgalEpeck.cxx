@@ -94,25 +94,35 @@ struct ExactHit
   }
 };
 
-} // namespace
-
-struct CgalTree::Internals
+class EpeckTree final : public CgalTree
 {
-  Internals(const Surface& s, BuildProgress& progress)
-    : surface(s)
+public:
+  EpeckTree(const Surface& s, BuildProgress& progress)
+    : surface_(s)
   {
     progress.stage(0.5, s.hittable().size());
-    this->triangles.reserve(s.hittable().size());
+    this->triangles_.reserve(s.hittable().size());
     for (const PrimitiveId id : s.hittable())
     {
       const auto v = s.vertices(id);
-      this->triangles.emplace_back(pointOf(v[0]), pointOf(v[1]), pointOf(v[2]));
+      this->triangles_.emplace_back(pointOf(v[0]), pointOf(v[1]), pointOf(v[2]));
       progress.advance(1);
     }
-    this->tree.insert(this->triangles.begin(), this->triangles.end());
-    this->tree.build();
+    this->tree_.insert(this->triangles_.begin(), this->triangles_.end());
+    this->tree_.build();
   }
 
+  void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
+    std::vector<Hit>& hits) const override;
+
+  [[nodiscard]] std::size_t memory() const override
+  {
+    // A binary tree over n triangles has n - 1 nodes of a box and two pointers each.
+    return this->triangles_.size() *
+      (sizeof(Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) + 2 * sizeof(void*));
+  }
+
+private:
   /// The triangles that meet what is between the ray's limits, in any order.
   void candidates(const Ray& ray, std::vector<Triangles::iterator>& found) const
   {
@@ -122,36 +132,30 @@ struct CgalTree::Internals
     const Kernel::Vector_3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
     if (begins && ends && ray.tMin < ray.tMax)
     {
-      this->tree.all_intersected_primitives(
+      this->tree_.all_intersected_primitives(
         Kernel::Segment_3(pointAt(ray, ray.tMin), pointAt(ray, ray.tMax)), out);
     }
     else if (begins && !ends)
     {
-      this->tree.all_intersected_primitives(Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
+      this->tree_.all_intersected_primitives(Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
     }
     else if (ends && !begins)
     {
-      this->tree.all_intersected_primitives(Kernel::Ray_3(pointAt(ray, ray.tMax), -direction), out);
+      this->tree_.all_intersected_primitives(
+        Kernel::Ray_3(pointAt(ray, ray.tMax), -direction), out);
     }
     else // unlimited, or one point, which is no segment to CGAL
     {
-      this->tree.all_intersected_primitives(Kernel::Line_3(pointOf(ray.origin), direction), out);
+      this->tree_.all_intersected_primitives(Kernel::Line_3(pointOf(ray.origin), direction), out);
     }
   }
 
-  const Surface& surface;
-  Triangles triangles;
-  Tree tree;
+  const Surface& surface_;
+  Triangles triangles_;
+  Tree tree_;
 };
 
-CgalTree::CgalTree(const Surface& surface, BuildProgress& progress)
-  : internals_(std::make_unique<Internals>(surface, progress))
-{
-}
-
-CgalTree::~CgalTree() = default;
-
-void CgalTree::all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
+void EpeckTree::all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
   std::vector<Hit>& hits) const
 {
   hits.clear();
@@ -161,20 +165,20 @@ void CgalTree::all(const Ray& ray, const PrimitiveId* skipFirst, const Primitive
     return;
   }
   std::vector<Triangles::iterator> found;
-  this->internals_->candidates(ray, found);
+  this->candidates(ray, found);
 
   const Vector direction = { Rational(ray.direction[0]), Rational(ray.direction[1]),
     Rational(ray.direction[2]) };
   std::vector<ExactHit> exact;
   for (const auto& triangle : found)
   {
-    const auto index = static_cast<std::size_t>(triangle - this->internals_->triangles.begin());
-    const PrimitiveId id = this->internals_->surface.hittable()[index];
+    const auto index = static_cast<std::size_t>(triangle - this->triangles_.begin());
+    const PrimitiveId id = this->surface_.hittable()[index];
     if (std::binary_search(skipFirst, skipLast, id))
     {
       continue;
     }
-    const auto v = this->internals_->surface.vertices(id);
+    const auto v = this->surface_.vertices(id);
     const Vector normal = cross(difference(v[1], v[0]), difference(v[2], v[0]));
     const Rational under = dot(normal, direction);
     if (under == 0)
@@ -198,12 +202,11 @@ void CgalTree::all(const Ray& ray, const PrimitiveId* skipFirst, const Primitive
   }
 }
 
-std::size_t CgalTree::memory() const
+} // namespace
+
+std::unique_ptr<const CgalTree> makeEpeckTree(const Surface& surface, BuildProgress& progress)
 {
-  // A binary tree over n triangles has n - 1 nodes of a box and two pointers each.
-  const std::size_t n = this->internals_->triangles.size();
-  return n *
-    (sizeof(Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) + 2 * sizeof(void*));
+  return std::make_unique<const EpeckTree>(surface, progress);
 }
 
 } // namespace lumitree
