@@ -136,7 +136,7 @@ TEST(RayPipeline, AChoiceThatIsNotThereIsOneError)
   {
     filter->SetInputData(0, surface);
     filter->SetRaysData(towardsX());
-    for (int s = vtkLumiRayAlgorithm::BruteForce; s <= vtkLumiRayAlgorithm::Cgal; ++s)
+    for (int s = vtkLumiRayAlgorithm::BruteForce; s <= vtkLumiRayAlgorithm::CgalCartesian; ++s)
     {
       const bool there = lumitree::Registry::instance().has(static_cast<lumitree::Structure>(s));
       Messages messages(filter);
@@ -158,7 +158,7 @@ TEST(RayPipeline, APrecisionThatIsNotPromisedIsOneError)
   const auto surface = polyData(lumitree::data::sphere(4));
   cast->SetInputData(0, surface);
   cast->SetRaysData(towardsX());
-  for (int s = vtkLumiRayAlgorithm::BruteForce; s <= vtkLumiRayAlgorithm::Cgal; ++s)
+  for (int s = vtkLumiRayAlgorithm::BruteForce; s <= vtkLumiRayAlgorithm::CgalCartesian; ++s)
   {
     if (!lumitree::Registry::instance().has(static_cast<lumitree::Structure>(s)))
     {

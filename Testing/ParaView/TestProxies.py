@@ -10,7 +10,8 @@ from pvtesting import PROXIES, load_plugin
 
 # The values on the page Docs/data-model.md, by the name of the property.
 CHOICES = {
-    "Structure": "Auto BruteForce Bvh WideBvh Grid Octree KdTree BspTree Embree Cgal",
+    "Structure": "Auto BruteForce Bvh WideBvh Grid Octree KdTree BspTree Embree Cgal CgalEpick "
+    "CgalCartesian",
     "Precision": "Fast Watertight Exact",
     "BvhBuild": "LongestAxisMedian BinnedSah",
     "Query": "Closest Any All Count",
