@@ -4,12 +4,13 @@
 
 #include "LumiIllumination.h"
 #include "LumiJob.h"
+#include "LumiPorts.h"
+#include "LumiSettings.h"
 #include "LumiUnits.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
-#include "vtkExtentTranslator.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -34,22 +35,14 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// Of the progress bar, for the structure.
 constexpr double buildShare = 0.2;
 
-/// Asks an input for this rank's piece of everything, whatever part of the receivers is asked for.
-void RequestPiece(vtkInformation* input, int piece, int pieces)
+int Rank(vtkLumiIrradiance* self)
 {
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
-  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (input->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    int whole[6];
-    int extent[6];
-    input->Get(Pipeline::WHOLE_EXTENT(), whole);
-    const vtkNew<vtkExtentTranslator> translator;
-    translator->PieceToExtentThreadSafe(
-      piece, pieces, 0, whole, extent, translator->GetSplitMode(), 0);
-    input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
-  }
+  return self->GetController() ? self->GetController()->GetLocalProcessId() : 0;
+}
+
+int Ranks(vtkLumiIrradiance* self)
+{
+  return self->GetController() ? self->GetController()->GetNumberOfProcesses() : 1;
 }
 
 /// A dataset to be lit: a shallow copy of the receivers, already in the output.
@@ -92,37 +85,30 @@ std::vector<Leaf> CopyReceivers(vtkDataObject* input, vtkDataObject* output)
 
 struct vtkLumiIrradiance::Internals
 {
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
-
-  int Rank() const { return this->Controller ? this->Controller->GetLocalProcessId() : 0; }
-  int Ranks() const { return this->Controller ? this->Controller->GetNumberOfProcesses() : 1; }
 
   /// What the properties and the inputs other than the receivers say. Collective. Throws what is to
   /// be reported; false when it was reported already.
   bool Prepare(vtkLumiIrradiance* self, vtkInformationVector** inputs, int pieces,
     filters::Illumination& light)
   {
-    if (self->Shadows && OccludersAreReceivers(inputs) && pieces > this->Ranks())
+    if (self->Shadows && OccludersAreReceivers(inputs) && pieces > Ranks(self))
     {
       throw std::runtime_error("Receivers that come piece after piece cannot shadow each other. "
                                "Connect the whole scene to input port 1, the occluders.");
     }
-    light.lights =
-      filters::readLights(inputs[2], filters::metresPerUnit(self->LengthUnit), this->Controller);
+    light.lights = filters::readLights(
+      inputs[2], filters::metresPerUnit(self->LengthUnit), self->GetController());
     light.location = static_cast<filters::ReceiverLocation>(self->ReceiverLocation);
-    light.precision = static_cast<lumitree::Precision>(self->Precision);
+    light.precision = static_cast<lumitree::Precision>(self->GetPrecision());
     light.perLight = self->PerLightArrays;
-    light.threads = filters::threadsFor(self->NumberOfThreads);
+    light.threads = filters::threadsFor(self->GetNumberOfThreads());
     if (self->Shadows)
     {
-      lumitree::BuildOptions options;
-      options.structure = static_cast<lumitree::Structure>(self->Structure);
-      options.threads = light.threads;
       filters::Job buildJob(self, 0.0, buildShare);
       vtkInformationVector* occluders = OccludersAreReceivers(inputs) ? inputs[0] : inputs[1];
-      this->Tree = filters::treeFor(vtkDataObject::GetData(occluders), options, this->Controller,
-        self, filters::GatherArrays::No, buildJob.control());
+      this->Tree = filters::treeFor(vtkDataObject::GetData(occluders), filters::buildOptions(self),
+        self->GetController(), self, filters::GatherArrays::No, buildJob.control());
       light.tree = this->Tree;
       return light.tree != nullptr;
     }
@@ -150,7 +136,7 @@ struct vtkLumiIrradiance::Internals
       };
       filters::Job job(self, part(i), part(i + 1));
       const filters::IlluminationReport report = light.addTo(
-        leaves[i].Data, leaves[i].CompositeIndex, this->Rank(), shadowsItself, job.control());
+        leaves[i].Data, leaves[i].CompositeIndex, Rank(self), shadowsItself, job.control());
       if (!report.completed)
       {
         return false;
@@ -176,7 +162,6 @@ vtkLumiIrradiance::vtkLumiIrradiance()
   : Impl(new Internals)
 {
   this->SetNumberOfInputPorts(3);
-  this->Impl->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
 vtkLumiIrradiance::~vtkLumiIrradiance() = default;
@@ -188,10 +173,6 @@ void vtkLumiIrradiance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "PerLightArrays: " << (this->PerLightArrays ? "on" : "off") << "\n";
   os << indent << "LengthUnit: " << filters::lengthUnitName(this->LengthUnit) << "\n";
-  os << indent << "Structure: " << this->Structure << "\n";
-  os << indent << "Precision: " << this->Precision << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "Controller: " << this->GetController() << "\n";
 }
 
 void vtkLumiIrradiance::SetOccludersConnection(vtkAlgorithmOutput* output)
@@ -219,20 +200,6 @@ void vtkLumiIrradiance::RemoveAllLights()
   this->RemoveAllInputConnections(2);
 }
 
-void vtkLumiIrradiance::SetController(vtkMultiProcessController* controller)
-{
-  if (this->Impl->Controller != controller)
-  {
-    this->Impl->Controller = controller;
-    this->Modified();
-  }
-}
-
-vtkMultiProcessController* vtkLumiIrradiance::GetController()
-{
-  return this->Impl->Controller;
-}
-
 int vtkLumiIrradiance::FillInputPortInformation(int port, vtkInformation* info)
 {
   // Composites are named, too: otherwise the pipeline would run this filter block by block, and one
@@ -246,6 +213,13 @@ int vtkLumiIrradiance::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+int vtkLumiIrradiance::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return filters::makeOutputLike(
+    vtkDataObject::GetData(inputVector[0]), outputVector->GetInformationObject(0));
+}
+
 int vtkLumiIrradiance::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -253,8 +227,7 @@ int vtkLumiIrradiance::RequestUpdateExtent(
   {
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
-      RequestPiece(
-        inputVector[port]->GetInformationObject(i), this->Impl->Rank(), this->Impl->Ranks());
+      filters::requestPiece(inputVector[port]->GetInformationObject(i), Rank(this), Ranks(this));
     }
   }
   return 1;

@@ -41,23 +41,16 @@
 #define vtkLumiIrradiance_h
 
 #include "LumitreeFiltersLightModule.h" // for export macro
-#include "vtkPassInputTypeAlgorithm.h"
+#include "vtkLumiStructureAlgorithm.h"
 
 #include <memory> // for the implementation
 
-#ifndef VTK_ABI_NAMESPACE_BEGIN // before VTK 9.3
-#define VTK_ABI_NAMESPACE_BEGIN
-#define VTK_ABI_NAMESPACE_END
-#endif
-
 VTK_ABI_NAMESPACE_BEGIN
-class vtkMultiProcessController;
-
-class LUMITREEFILTERSLIGHT_EXPORT vtkLumiIrradiance : public vtkPassInputTypeAlgorithm
+class LUMITREEFILTERSLIGHT_EXPORT vtkLumiIrradiance : public vtkLumiStructureAlgorithm
 {
 public:
   static vtkLumiIrradiance* New();
-  vtkTypeMacro(vtkLumiIrradiance, vtkPassInputTypeAlgorithm);
+  vtkTypeMacro(vtkLumiIrradiance, vtkLumiStructureAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -80,35 +73,6 @@ public:
     Kilometre = 3,
     Inch = 4,
     Foot = 5
-  };
-
-  /**
-   * How the occluders are organised for rays.
-   */
-  enum Structures
-  {
-    Auto = 0, ///< the cheapest that the scene needs
-    BruteForce = 1,
-    Bvh = 2,
-    WideBvh = 3,
-    Grid = 4,
-    Octree = 5,
-    KdTree = 6,
-    BspTree = 7,
-    Embree = 8,
-    Cgal = 9,
-    CgalEpick = 10,
-    CgalCartesian = 11
-  };
-
-  /**
-   * What is promised about what shadow rays hit.
-   */
-  enum Precisions
-  {
-    Fast = 0,
-    Watertight = 1,
-    Exact = 2
   };
 
   ///@{
@@ -163,45 +127,13 @@ public:
   vtkGetMacro(LengthUnit, int);
   ///@}
 
-  ///@{
-  /**
-   * The structure to build, one of Structures. One that this build lacks is an error. Default Auto.
-   */
-  vtkSetClampMacro(Structure, int, Auto, CgalCartesian);
-  vtkGetMacro(Structure, int);
-  ///@}
-
-  ///@{
-  /**
-   * One of Precisions. One that the structure cannot promise is an error. Default Fast.
-   */
-  vtkSetClampMacro(Precision, int, Fast, Exact);
-  vtkGetMacro(Precision, int);
-  ///@}
-
-  ///@{
-  /**
-   * Threads to use; 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may
-   * use. Range 0 to 4096, default 0.
-   */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 4096);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
-
-  ///@{
-  /**
-   * Over whose ranks occluders and lights are spread; null means that this process holds all of
-   * them. Default vtkMultiProcessController::GetGlobalController().
-   */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
 protected:
   vtkLumiIrradiance();
   ~vtkLumiIrradiance() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -215,9 +147,6 @@ private:
   bool Shadows = true;
   bool PerLightArrays = false;
   int LengthUnit = Metre;
-  int Structure = Auto;
-  int Precision = Fast;
-  int NumberOfThreads = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -18,6 +18,8 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
+} // namespace
+
 void requestPiece(vtkInformation* input, int piece, int pieces)
 {
   input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
@@ -34,8 +36,6 @@ void requestPiece(vtkInformation* input, int piece, int pieces)
     input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
   }
 }
-
-} // namespace
 
 void acceptAnyDataSet(vtkInformation* port)
 {

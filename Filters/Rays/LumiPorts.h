@@ -3,6 +3,8 @@
 #ifndef Lumitree_Filters_Rays_LumiPorts_h
 #define Lumitree_Filters_Rays_LumiPorts_h
 
+#include "LumitreeFiltersRaysModule.h"
+
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
@@ -16,12 +18,15 @@ void acceptAnyDataSet(vtkInformation* port);
 
 /// Puts a new object of the very class of `model` into an output, unless one is there. Returns 0
 /// without a model.
-int makeOutputLike(vtkDataObject* model, vtkInformation* output);
+LUMITREEFILTERSRAYS_EXPORT int makeOutputLike(vtkDataObject* model, vtkInformation* output);
 
 /// Tells what is known of an output's grid before it is made: that of the rays when it holds them
 /// (sameGrid), else nothing. VTK would give it that of the surface. Time steps come from the rays
 /// when the surface has none.
 void describeOutput(vtkInformation* rays, vtkInformation* output, bool sameGrid);
+
+/// Asks an input for a piece of everything, without ghosts.
+LUMITREEFILTERSRAYS_EXPORT void requestPiece(vtkInformation* input, int piece, int pieces);
 
 /// Asks a surface port for this rank's piece of everything, whatever piece of the outputs is asked
 /// for.

@@ -33,17 +33,21 @@ std::string directionArray(vtkAlgorithm* filter, vtkDataSet* rays)
 
 } // namespace
 
-BuildOptions buildOptions(vtkLumiRayAlgorithm* filter)
+BuildOptions buildOptions(vtkLumiStructureAlgorithm* filter)
 {
   BuildOptions options;
   options.structure = static_cast<Structure>(filter->GetStructure());
   options.bvhBuild = static_cast<BvhBuild>(filter->GetBvhBuild());
+  options.kdBuild = static_cast<KdBuild>(filter->GetKdBuild());
   options.leafSize = filter->GetLeafSize();
   options.threads = threadsFor(filter->GetNumberOfThreads());
+  options.maxDepth = filter->GetMaxDepth();
+  options.gridDensity = filter->GetGridDensity();
+  filter->GetGridResolution(options.gridResolution.data());
   return options;
 }
 
-QueryOptions queryOptions(vtkLumiRayAlgorithm* filter, Job& job)
+QueryOptions queryOptions(vtkLumiStructureAlgorithm* filter, Job& job)
 {
   QueryOptions options;
   options.precision = static_cast<Precision>(filter->GetPrecision());

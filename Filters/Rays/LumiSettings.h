@@ -17,8 +17,10 @@ namespace lumitree::filters
 
 /// What the filter's properties ask of the cores.
 ///@{
-BuildOptions buildOptions(vtkLumiRayAlgorithm* filter);
-QueryOptions queryOptions(vtkLumiRayAlgorithm* filter, Job& job);
+[[nodiscard]] LUMITREEFILTERSRAYS_EXPORT BuildOptions buildOptions(
+  vtkLumiStructureAlgorithm* filter);
+[[nodiscard]] LUMITREEFILTERSRAYS_EXPORT QueryOptions queryOptions(
+  vtkLumiStructureAlgorithm* filter, Job& job);
 ///@}
 
 /// Reads the rays of the filter's input port 1. False after one vtkErrorMacro.

@@ -4,8 +4,9 @@
  * @class vtkLumiRayAlgorithm
  * @brief What the filters share that take a surface on input port 0 and rays on input port 1.
  *
- * It holds the choices of structure, precision and query, and the requests that go up the pipeline:
- * all of the surface (each rank its piece), and those rays that an output needs.
+ * Beside the structure (vtkLumiStructureAlgorithm) it holds the query and the limits of rays, and
+ * it makes the requests that go up the pipeline: all of the surface (each rank its piece), and
+ * those rays that an output needs.
  *
  * @sa vtkLumiRayCast, vtkLumiAccelerationStructure
  */
@@ -13,22 +14,13 @@
 #define vtkLumiRayAlgorithm_h
 
 #include "LumitreeFiltersRaysModule.h" // for export macro
-#include "vtkDataObjectAlgorithm.h"
-
-#include <memory> // for the implementation
-
-#ifndef VTK_ABI_NAMESPACE_BEGIN // before VTK 9.3
-#define VTK_ABI_NAMESPACE_BEGIN
-#define VTK_ABI_NAMESPACE_END
-#endif
+#include "vtkLumiStructureAlgorithm.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkMultiProcessController;
-
-class LUMITREEFILTERSRAYS_EXPORT vtkLumiRayAlgorithm : public vtkDataObjectAlgorithm
+class LUMITREEFILTERSRAYS_EXPORT vtkLumiRayAlgorithm : public vtkLumiStructureAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkLumiRayAlgorithm, vtkDataObjectAlgorithm);
+  vtkAbstractTypeMacro(vtkLumiRayAlgorithm, vtkLumiStructureAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -40,44 +32,6 @@ public:
     Any = 1,     ///< whether anything is hit
     All = 2,     ///< every hit
     Count = 3    ///< how many hits
-  };
-
-  /**
-   * How the surface is organised for rays.
-   */
-  enum Structures
-  {
-    Auto = 0, ///< the cheapest that the scene needs
-    BruteForce = 1,
-    Bvh = 2,
-    WideBvh = 3,
-    Grid = 4,
-    Octree = 5,
-    KdTree = 6,
-    BspTree = 7,
-    Embree = 8,
-    Cgal = 9,
-    CgalEpick = 10,
-    CgalCartesian = 11
-  };
-
-  /**
-   * What is promised about the primitives hit and their order.
-   */
-  enum Precisions
-  {
-    Fast = 0,
-    Watertight = 1,
-    Exact = 2
-  };
-
-  /**
-   * How a bounding volume hierarchy is split.
-   */
-  enum BvhBuilds
-  {
-    LongestAxisMedian = 0,
-    BinnedSah = 1
   };
 
   ///@{
@@ -98,39 +52,6 @@ public:
 
   ///@{
   /**
-   * The structure to build, one of Structures. One that this build lacks is an error. Default Auto.
-   */
-  vtkSetClampMacro(Structure, int, Auto, CgalCartesian);
-  vtkGetMacro(Structure, int);
-  ///@}
-
-  ///@{
-  /**
-   * One of Precisions. One that the structure cannot promise is an error. Default Fast.
-   */
-  vtkSetClampMacro(Precision, int, Fast, Exact);
-  vtkGetMacro(Precision, int);
-  ///@}
-
-  ///@{
-  /**
-   * How a bounding volume hierarchy is split, one of BvhBuilds. Default BinnedSah.
-   */
-  vtkSetClampMacro(BvhBuild, int, LongestAxisMedian, BinnedSah);
-  vtkGetMacro(BvhBuild, int);
-  ///@}
-
-  ///@{
-  /**
-   * Nodes of a bounding volume hierarchy with more primitives than this are split. Range 1 to 1024,
-   * default 4.
-   */
-  vtkSetClampMacro(LeafSize, int, 1, 1024);
-  vtkGetMacro(LeafSize, int);
-  ///@}
-
-  ///@{
-  /**
    * Limits of t, closed, for rays without `RayTMin` and `RayTMax`; segments have [0, 1]. In units
    * of |direction|. Defaults 0 and +infinity.
    */
@@ -138,24 +59,6 @@ public:
   vtkGetMacro(TMin, double);
   vtkSetMacro(TMax, double);
   vtkGetMacro(TMax, double);
-  ///@}
-
-  ///@{
-  /**
-   * Threads to use; 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may
-   * use. Range 0 to 4096, default 0.
-   */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 4096);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
-
-  ///@{
-  /**
-   * Over whose ranks the surface is spread; null means that this process holds all of it.
-   * Default vtkMultiProcessController::GetGlobalController().
-   */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
   ///@}
 
 protected:
@@ -176,16 +79,8 @@ private:
   void operator=(const vtkLumiRayAlgorithm&) = delete;
 
   int Query = Closest;
-  int Structure = Auto;
-  int Precision = Fast;
-  int BvhBuild = BinnedSah;
-  int LeafSize = 4;
   double TMin = 0.0;
   double TMax;
-  int NumberOfThreads = 0;
-
-  struct Settings;
-  std::unique_ptr<Settings> Held;
 };
 VTK_ABI_NAMESPACE_END
 

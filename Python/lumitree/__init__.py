@@ -21,6 +21,7 @@ files' names. What VTK reports as an error is raised as `LumitreeError`; a wrong
 from .camera import camera_rays
 from .choices import (
     BvhBuild,
+    KdBuild,
     LengthUnit,
     LightSystem,
     Precision,
@@ -44,6 +45,7 @@ __all__ = [
     "Hierarchy",
     "Hits",
     "Irradiance",
+    "KdBuild",
     "LengthUnit",
     "LightSystem",
     "LumitreeError",

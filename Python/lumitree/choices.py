@@ -44,6 +44,13 @@ class BvhBuild(IntEnum):
     BINNED_SAH = 1
 
 
+class KdBuild(IntEnum):
+    """How a KD-tree is split."""
+
+    SPATIAL_MEDIAN = 0
+    SAH = 1
+
+
 class Query(IntEnum):
     """The question asked of each ray."""
 

@@ -14,7 +14,16 @@ from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .camera import View
-from .choices import LENGTH_SYMBOLS, BvhBuild, Precision, ReceiverLocation, Scene, Structure, names
+from .choices import (
+    LENGTH_SYMBOLS,
+    BvhBuild,
+    KdBuild,
+    Precision,
+    ReceiverLocation,
+    Scene,
+    Structure,
+    names,
+)
 from .errors import LumitreeError, LumitreeWarning
 from .files import READERS, read
 from .lightspec import parse_light, triple
@@ -92,7 +101,23 @@ def make_parser() -> argparse.ArgumentParser:
         "--bvh-build", choices=names(BvhBuild), default="binned_sah", help="default: %(default)s"
     )
     tree.add_argument(
-        "--leaf-size", type=int, default=4, metavar="N", help="of a BVH; default: %(default)s"
+        "--kd-build", choices=names(KdBuild), default="sah", help="default: %(default)s"
+    )
+    tree.add_argument(
+        "--leaf-size", type=int, default=4, metavar="N", help="of a tree; default: %(default)s"
+    )
+    tree.add_argument(
+        "--max-depth", type=int, default=64, metavar="N", help="of a tree; default: %(default)s"
+    )
+    tree.add_argument(
+        "--grid-density",
+        type=float,
+        default=0.5,
+        metavar="C",
+        help="of a grid: cells per primitive; default: %(default)s",
+    )
+    tree.add_argument(
+        "--grid-resolution", metavar="NxMxK", help="of a grid: cells along x, y and z, instead"
     )
     tree.add_argument(
         "--threads", type=int, default=0, metavar="N", help="default: 0, as many as there are"
@@ -159,7 +184,11 @@ def _run(options: argparse.Namespace) -> None:
         structure=options.structure,
         precision=options.precision,
         bvh_build=options.bvh_build,
+        kd_build=options.kd_build,
         leaf_size=options.leaf_size,
+        max_depth=options.max_depth,
+        grid_density=options.grid_density,
+        grid_resolution=_resolution(options.grid_resolution),
         threads=options.threads,
     )
     print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells")
@@ -190,6 +219,15 @@ def _size(text: str) -> tuple[int, int]:
     if not (width.isdecimal() and height.isdecimal() and int(width) and int(height)):
         raise ValueError(f"--size is {text!r}, not two numbers as in 640x480")
     return int(width), int(height)
+
+
+def _resolution(text: str | None) -> tuple[int, ...] | None:
+    if text is None:
+        return None
+    cells = text.split("x")
+    if len(cells) != 3 or not all(part.isdecimal() for part in cells):
+        raise ValueError(f"--grid-resolution is {text!r}, not three numbers as in 32x32x8")
+    return tuple(int(part) for part in cells)
 
 
 def _show_warning(

@@ -11,9 +11,9 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPolyData
 
-from .arrays import in_range
 from .choices import LengthUnit, Precision, ReceiverLocation, Structure, choose, choose_length_unit
 from .errors import run
+from .structures import set_structure
 from .surfaces import Mesh, as_surface
 from .vtk import vtkLumiIrradiance
 
@@ -59,6 +59,7 @@ def irradiance(
     structure: Structure | str = "auto",
     threads: int = 0,
     progress: Callable[[float], None] | None = None,
+    **build: object,
 ) -> Irradiance:
     """Light that falls on a mesh directly from the lights, with shadows.
 
@@ -70,7 +71,7 @@ def irradiance(
         ``"in"``, ``"ft"``.
     per_light : also an array for each light.
     shadows : without, every receiver sees every light.
-    precision, structure, threads : as of `Caster`.
+    precision, structure, threads, build : as of `Caster`.
 
     Raises ValueError for wrong names and types, LumitreeError for what the filter refuses, such as
     watts beside lumens. Receivers without a normal are counted in a LumitreeWarning.
@@ -89,9 +90,7 @@ def irradiance(
     filter_.SetLengthUnit(choose_length_unit(length_unit))
     filter_.SetPerLightArrays(bool(per_light))
     filter_.SetShadows(bool(shadows))
-    filter_.SetPrecision(choose(Precision, precision, "precision"))
-    filter_.SetStructure(choose(Structure, structure, "structure"))
-    filter_.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+    set_structure(filter_, structure, precision=precision, threads=threads, **build)
     run(filter_, progress)
     return _result(filter_.GetOutputDataObject(0), choose(ReceiverLocation, at, "at"))
 

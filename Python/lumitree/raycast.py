@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,10 +14,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
 
-from .arrays import from_vtk, in_range
-from .choices import BvhBuild, Precision, Query, Structure, choose
+from .arrays import from_vtk
+from .choices import BvhBuild, KdBuild, Precision, Query, Structure, choose
 from .errors import run
 from .rayset import rays
+from .structures import set_structure
 from .surfaces import Mesh, as_surface
 from .vtk import vtkLumiRayCast
 
@@ -103,7 +104,11 @@ class Caster:
         error.
     precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``.
     bvh_build : ``"binned_sah"`` or ``"longest_axis_median"``.
-    leaf_size : a BVH's nodes with more primitives than this are split; 1 to 1024.
+    kd_build : ``"sah"`` or ``"spatial_median"``.
+    leaf_size : a tree's nodes with more primitives than this are split; 1 to 1024.
+    max_depth : a tree's nodes as deep as this are leaves; 1 to 64.
+    grid_density : a grid's cells per primitive; above 0, at most 1000.
+    grid_resolution : a grid's cells along x, y and z, instead; each 1 to 2^20.
     threads : 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may use.
         Results do not depend on it.
 
@@ -118,15 +123,26 @@ class Caster:
         structure: Structure | str = "auto",
         precision: Precision | str = "fast",
         bvh_build: BvhBuild | str = "binned_sah",
+        kd_build: KdBuild | str = "sah",
         leaf_size: int = 4,
+        max_depth: int = 64,
+        grid_density: float = 0.5,
+        grid_resolution: Sequence[int] | None = None,
         threads: int = 0,
     ) -> None:
         self._filter = vtkLumiRayCast()
-        self._filter.SetStructure(choose(Structure, structure, "structure"))
-        self._filter.SetPrecision(choose(Precision, precision, "precision"))
-        self._filter.SetBvhBuild(choose(BvhBuild, bvh_build, "bvh_build"))
-        self._filter.SetLeafSize(in_range(leaf_size, 1, 1024, "leaf_size"))
-        self._filter.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+        set_structure(
+            self._filter,
+            structure,
+            precision=precision,
+            bvh_build=bvh_build,
+            kd_build=kd_build,
+            leaf_size=leaf_size,
+            max_depth=max_depth,
+            grid_density=grid_density,
+            grid_resolution=grid_resolution,
+            threads=threads,
+        )
         self.mesh = mesh
 
     @property
@@ -207,25 +223,18 @@ def cast(
     structure: Structure | str = "auto",
     threads: int = 0,
     *,
-    bvh_build: BvhBuild | str = "binned_sah",
-    leaf_size: int = 4,
     cost: bool = False,
     progress: Callable[[float], None] | None = None,
+    **build: object,
 ) -> Hits:
-    """Casts rays at a mesh, once. Arguments and errors are those of `Caster` and `Caster.cast`; use
-    a `Caster` to cast several times at one mesh.
+    """Casts rays at a mesh, once. Arguments and errors are those of `Caster` (`build` are
+    bvh_build, leaf_size and so on) and `Caster.cast`; use a `Caster` to cast several times at one
+    mesh.
 
     >>> hits = lumitree.cast("bunny.ply", origins=(0, 0, 5), directions=[(0, 0, -1), (0, 1, 0)])
     >>> hits.t, hits.cell_id
     """
-    caster = Caster(
-        mesh,
-        structure=structure,
-        precision=precision,
-        bvh_build=bvh_build,
-        leaf_size=leaf_size,
-        threads=threads,
-    )
+    caster = Caster(mesh, structure=structure, precision=precision, threads=threads, **build)
     return caster.cast(origins, directions, t_min, t_max, query, cost=cost, progress=progress)
 
 

@@ -40,14 +40,22 @@ class Report:
     structure: str = "auto"
     precision: str = "fast"
     bvh_build: str = "binned_sah"
+    kd_build: str = "sah"
     leaf_size: int = 4
+    max_depth: int = 64
+    grid_density: float = 0.5
+    grid_resolution: tuple[int, int, int] | None = None
     threads: int = 0
 
     def __post_init__(self) -> None:
         self._tree_options = {
             "structure": self.structure,
             "bvh_build": self.bvh_build,
+            "kd_build": self.kd_build,
             "leaf_size": self.leaf_size,
+            "max_depth": self.max_depth,
+            "grid_density": self.grid_density,
+            "grid_resolution": self.grid_resolution,
             "threads": self.threads,
         }
         self._caster = Caster(self.surface, precision=self.precision, **self._tree_options)
@@ -117,8 +125,7 @@ class Report:
                 length_unit=length_unit,
                 per_light=len(lights) > 1,
                 precision=self.precision,
-                structure=self.structure,
-                threads=self.threads,
+                **self._tree_options,
                 progress=progress,
             )
         write(result.dataset, self.directory / "irradiance.vtp")

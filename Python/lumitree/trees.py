@@ -10,8 +10,9 @@ from dataclasses import dataclass, field
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet, vtkTable
 
 from .arrays import in_range
-from .choices import BvhBuild, Structure, choose
+from .choices import Structure
 from .errors import run
+from .structures import set_structure
 from .surfaces import Mesh, as_surface
 from .vtk import vtkLumiAccelerationStructure
 
@@ -42,14 +43,13 @@ def hierarchy(
     max_level: int = 10,
     leaves: bool = False,
     as_faces: bool = False,
-    bvh_build: BvhBuild | str = "binned_sah",
-    leaf_size: int = 4,
-    threads: int = 0,
     progress: Callable[[float], None] | None = None,
+    **build: object,
 ) -> Hierarchy:
     """Builds a structure over a mesh, and shows it.
 
-    mesh, structure, bvh_build, leaf_size, threads : as of `Caster`.
+    mesh, structure : as of `Caster`.
+    build : further options of `Caster`: bvh_build, leaf_size, threads and so on.
     rays : a data set of rays, such as of `camera_rays`; each node then tells how many of them
         entered it.
     max_level : the deepest level that is drawn, 0 to 64; statistics are of the whole tree.
@@ -60,10 +60,7 @@ def hierarchy(
     """
     tree = vtkLumiAccelerationStructure()
     tree.SetInputDataObject(0, as_surface(mesh))
-    tree.SetStructure(choose(Structure, structure, "structure"))
-    tree.SetBvhBuild(choose(BvhBuild, bvh_build, "bvh_build"))
-    tree.SetLeafSize(in_range(leaf_size, 1, 1024, "leaf_size"))
-    tree.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+    set_structure(tree, structure, **build)
     tree.SetMaximumLevel(in_range(max_level, 0, 64, "max_level"))
     tree.SetShowLeaves(bool(leaves))
     tree.SetRepresentation(tree.Cells if as_faces else tree.Outlines)

@@ -114,6 +114,49 @@ TEST_F(Structure, StatisticsDescribeTheTree)
     vtkStringArray::SafeDownCast(this->row()->GetAbstractArray("BvhBuild"))->GetValue(0), "");
 }
 
+TEST_F(Structure, EveryOptionOfTheBuildReachesIt)
+{
+  this->filter_->SetMaxDepth(3);
+  EXPECT_EQ(value(this->row(), "Depth", 0), 3);
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::KdTree);
+  EXPECT_EQ(value(this->row(), "Depth", 0), 3);
+  this->filter_->SetMaxDepth(64);
+  const double sah = value(this->row(), "SahCost", 0);
+  this->filter_->SetKdBuild(vtkLumiAccelerationStructure::SpatialMedian);
+  EXPECT_GT(value(this->row(), "SahCost", 0), sah);
+
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::Grid);
+  const double automatic = value(this->row(), "Leaves", 0);
+  this->filter_->SetGridDensity(10.0);
+  EXPECT_GT(value(this->row(), "Leaves", 0), 2 * automatic);
+  this->filter_->SetGridResolution(1, 1, 2);
+  EXPECT_EQ(value(this->row(), "Leaves", 0), 2);
+}
+
+TEST_F(Structure, OptionsOutOfRangeAreOneError)
+{
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::Grid);
+  const auto isOneError = [this](const char* says)
+  {
+    const Messages messages(this->filter_);
+    this->filter_->Update();
+    EXPECT_EQ(messages.errors, 1);
+    EXPECT_NE(messages.text.find(says), std::string::npos) << messages.text;
+    EXPECT_EQ(this->blocks()->GetNumberOfBlocks(), 0u);
+    EXPECT_EQ(this->row()->GetNumberOfArrays(), 0);
+  };
+  for (const double density : { 0.0, -1.0, 1001.0, std::nan("") })
+  {
+    this->filter_->SetGridDensity(density);
+    isOneError("grid density");
+  }
+  this->filter_->SetGridDensity(0.5);
+  this->filter_->SetGridResolution(1 << 21, 1, 1);
+  isOneError("grid");
+  this->filter_->SetGridResolution(0, 0, -3);
+  isOneError("grid");
+}
+
 TEST_F(Structure, BlocksAreLevelsAndParentsEncloseChildren)
 {
   struct Node

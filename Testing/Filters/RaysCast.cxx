@@ -355,9 +355,9 @@ TEST_F(RayCast, PrintsItself)
 {
   std::ostringstream text;
   this->cast_->Print(text);
-  for (const char* name :
-    { "Query", "Structure", "Precision", "BvhBuild", "LeafSize", "TMin", "TMax", "PassSurfaceData",
-      "CountTraversal", "NumberOfThreads", "OutputPointsPrecision", "Controller" })
+  for (const char* name : { "Query", "Structure", "Precision", "BvhBuild", "KdBuild", "LeafSize",
+         "MaxDepth", "GridDensity", "GridResolution", "TMin", "TMax", "PassSurfaceData",
+         "CountTraversal", "NumberOfThreads", "OutputPointsPrecision", "Controller" })
   {
     EXPECT_NE(text.str().find(std::string(name) + ": "), std::string::npos) << name;
   }

@@ -14,6 +14,7 @@ CHOICES = {
     "CgalCartesian",
     "Precision": "Fast Watertight Exact",
     "BvhBuild": "LongestAxisMedian BinnedSah",
+    "KdBuild": "SpatialMedian Sah",
     "Query": "Closest Any All Count",
     "LengthUnit": "Metre Millimetre Centimetre Kilometre Inch Foot",
     "ReceiverLocation": "Points Cells",

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkLumiStructureAlgorithm
+ * @brief What the filters share that build a structure over a surface and ask it about rays.
+ *
+ * It holds which structure is built and how, what is promised of it, and the threads and ranks that
+ * work on it. A choice that the structure at hand does not have (GridDensity of a tree, say) is
+ * without effect. One that this build lacks, or that is out of the range of the cores, is one
+ * error.
+ *
+ * @sa vtkLumiRayAlgorithm, vtkLumiIrradiance
+ */
+#ifndef vtkLumiStructureAlgorithm_h
+#define vtkLumiStructureAlgorithm_h
+
+#include "LumitreeFiltersRaysModule.h" // for export macro
+#include "vtkDataObjectAlgorithm.h"
+
+#include <memory> // for the implementation
+
+#ifndef VTK_ABI_NAMESPACE_BEGIN // before VTK 9.3
+#define VTK_ABI_NAMESPACE_BEGIN
+#define VTK_ABI_NAMESPACE_END
+#endif
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMultiProcessController;
+
+class LUMITREEFILTERSRAYS_EXPORT vtkLumiStructureAlgorithm : public vtkDataObjectAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkLumiStructureAlgorithm, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the surface is organised for rays.
+   */
+  enum Structures
+  {
+    Auto = 0, ///< the cheapest that the scene needs
+    BruteForce = 1,
+    Bvh = 2,
+    WideBvh = 3,
+    Grid = 4,
+    Octree = 5,
+    KdTree = 6,
+    BspTree = 7,
+    Embree = 8,
+    Cgal = 9,
+    CgalEpick = 10,
+    CgalCartesian = 11
+  };
+
+  /**
+   * What is promised about the primitives hit and their order.
+   */
+  enum Precisions
+  {
+    Fast = 0,
+    Watertight = 1,
+    Exact = 2
+  };
+
+  /**
+   * How a bounding volume hierarchy is split.
+   */
+  enum BvhBuilds
+  {
+    LongestAxisMedian = 0, ///< longest axis, object in the middle
+    BinnedSah = 1          ///< surface-area heuristic over bins
+  };
+
+  /**
+   * How a KD-tree is split.
+   */
+  enum KdBuilds
+  {
+    SpatialMedian = 0, ///< longest axis of the cell, in the middle
+    Sah = 1            ///< surface-area heuristic
+  };
+
+  ///@{
+  /**
+   * The structure to build, one of Structures. One that this build lacks is an error. Default Auto.
+   */
+  vtkSetClampMacro(Structure, int, Auto, CgalCartesian);
+  vtkGetMacro(Structure, int);
+  ///@}
+
+  ///@{
+  /**
+   * One of Precisions. One that the structure cannot promise is an error. Default Fast.
+   */
+  vtkSetClampMacro(Precision, int, Fast, Exact);
+  vtkGetMacro(Precision, int);
+  ///@}
+
+  ///@{
+  /**
+   * How a bounding volume hierarchy is split, one of BvhBuilds. Default BinnedSah.
+   */
+  vtkSetClampMacro(BvhBuild, int, LongestAxisMedian, BinnedSah);
+  vtkGetMacro(BvhBuild, int);
+  ///@}
+
+  ///@{
+  /**
+   * How a KD-tree is split, one of KdBuilds. Default Sah.
+   */
+  vtkSetClampMacro(KdBuild, int, SpatialMedian, Sah);
+  vtkGetMacro(KdBuild, int);
+  ///@}
+
+  ///@{
+  /**
+   * Trees: nodes with more primitives than this are split. Range 1 to 1024, default 4.
+   */
+  vtkSetClampMacro(LeafSize, int, 1, 1024);
+  vtkGetMacro(LeafSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Trees: a node as deep as this is a leaf, whatever it holds; the root has depth 0. Range 1 to
+   * 64, default 64.
+   */
+  vtkSetClampMacro(MaxDepth, int, 1, 64);
+  vtkGetMacro(MaxDepth, int);
+  ///@}
+
+  ///@{
+  /**
+   * Grid: cells per primitive when GridResolution is automatic. Above 0, at most 1000; anything
+   * else is an error when the grid is built. Default 0.5.
+   */
+  vtkSetMacro(GridDensity, double);
+  vtkGetMacro(GridDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Grid: cells along x, y and z, each from 1 to 2^20; 0, 0, 0 means automatic, by GridDensity.
+   * Anything else is an error when the grid is built. Default 0, 0, 0.
+   */
+  vtkSetVector3Macro(GridResolution, int);
+  vtkGetVector3Macro(GridResolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to use; 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may
+   * use. Range 0 to 4096, default 0.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 4096);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Over whose ranks the inputs are spread; null means that this process holds all of them.
+   * Default vtkMultiProcessController::GetGlobalController().
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+protected:
+  vtkLumiStructureAlgorithm();
+  ~vtkLumiStructureAlgorithm() override;
+
+private:
+  vtkLumiStructureAlgorithm(const vtkLumiStructureAlgorithm&) = delete;
+  void operator=(const vtkLumiStructureAlgorithm&) = delete;
+
+  int Structure = Auto;
+  int Precision = Fast;
+  int BvhBuild = BinnedSah;
+  int KdBuild = Sah;
+  int LeafSize = 4;
+  int MaxDepth = 64;
+  double GridDensity = 0.5;
+  int GridResolution[3] = { 0, 0, 0 };
+  int NumberOfThreads = 0;
+
+  struct Settings;
+  std::unique_ptr<Settings> Held;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif
