@@ -42,6 +42,25 @@ inline void expectSamplesMeanIrradiance(const lumitree::Source& source,
   expectRelative(scalar / count, source.scalarIrradiance(position), tolerance);
 }
 
+/// What a sphere around the source catches is its flux: irradiances at spiral points.
+inline void expectFluxThroughSphere(
+  const lumitree::Source& source, const lumitree::Vec3& middle, double radius, double tolerance)
+{
+  using namespace lumitree;
+  constexpr int count = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / count;
+    const double r = std::sqrt(1.0 - z * z);
+    const double phi = 2.399963229728653 * i;
+    const Vec3 outward = { r * std::cos(phi), r * std::sin(phi), z };
+    sum += source.irradiance(middle + radius * outward, -1.0 * outward);
+  }
+  expectRelative(
+    sum / count * 4.0 * 3.141592653589793 * radius * radius, source.flux().value(), tolerance);
+}
+
 /// Around a source of that size: finite, not negative, and the light vector is what the irradiances
 /// on two sides say.
 inline void expectSane(const lumitree::Source& source, const lumitree::Vec3& middle, double size)
@@ -72,7 +91,7 @@ inline void expectSane(const lumitree::Source& source, const lumitree::Vec3& mid
           front - back, dot(normal, vector), 1e-12 * scalar * (1e3 + distance + 1e-3 / distance))
           << distance << " " << way[0] << " " << way[1] << " " << way[2];
       }
-      const lumitree::SourceSample sample = source.sample(position, 0.3, 0.7);
+      const SourceSample sample = source.sample(position, 0.3, 0.7);
       EXPECT_TRUE(std::isfinite(sample.radiance * sample.weight));
       EXPECT_GE(sample.weight, 0.0);
     }
