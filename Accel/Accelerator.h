@@ -40,6 +40,9 @@ public:
 ///
 /// A primitive is hit when the closed segment of the ray meets the closed triangle and the ray is
 /// not parallel to the triangle's plane. Of several hits at the same t, the lowest primitive wins.
+/// A quadric is hit once per distinct root of its form along the line whose point is in the segment
+/// and in the quadric (Quadric.h): a sphere twice, a tangent once, a form that is 0 all along the
+/// line never. All lists and Count counts these hits, so a quadric up to twice.
 /// The outputs hold one element per ray of the batch and are written whole.
 class LUMITREE_ACCEL_EXPORT Accelerator
 {
@@ -71,7 +74,7 @@ public:
   virtual QueryReport all(
     const RayBatch& rays, AllHits& hits, const QueryOptions& options = {}) const = 0;
 
-  /// How many primitives each ray hits.
+  /// How many hits each ray has: of a triangle one, of a quadric up to two.
   virtual QueryReport count(
     const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options = {}) const = 0;
 

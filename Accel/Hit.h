@@ -15,8 +15,8 @@ using PrimitiveId = std::uint32_t;
 inline constexpr PrimitiveId noPrimitive = std::numeric_limits<PrimitiveId>::max();
 
 /// Where a ray meets a primitive. The point is origin + t direction; on a triangle (v0, v1, v2) it
-/// is also (1 - u - v) v0 + u v1 + v v2. A miss has primitive == noPrimitive, t = infinity, u = v =
-/// 0.
+/// is also (1 - u - v) v0 + u v1 + v v2; on a quadric u = v = 0. A miss has primitive ==
+/// noPrimitive, t = infinity, u = v = 0.
 struct Hit
 {
   double t = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include "Accel/Exact/Predicates.h"
 #include "Accel/FloatEnvironment.h"
 #include "Accel/Parallel.h"
+#include "Accel/Structures/QuadricBoxOverlap.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,29 +35,60 @@ enum class Kind : char
 {
   Hittable,
   NonFinite,
-  ZeroArea
+  ZeroArea,
+  EmptyQuadric
 };
+
+template <std::size_t N>
+bool within(const std::array<double, N>& numbers)
+{
+  return std::all_of(
+    numbers.begin(), numbers.end(), [](double x) { return std::fabs(x) <= coordinateLimit; });
+}
 
 Kind classify(const std::array<Vec3, 3>& vertices)
 {
-  for (const Vec3& p : vertices)
+  if (!within(vertices[0]) || !within(vertices[1]) || !within(vertices[2]))
   {
-    for (const double x : p)
-    {
-      if (!(std::fabs(x) <= coordinateLimit))
-      {
-        return Kind::NonFinite;
-      }
-    }
+    return Kind::NonFinite;
   }
   return exact::isZeroArea(vertices) ? Kind::ZeroArea : Kind::Hittable;
 }
 
-void checkSources(const SourceMap& sources, std::size_t triangles)
+bool within(const QuadricForm& form)
 {
-  if (!sources.cells.empty() && sources.cells.size() != triangles)
+  return within(form.centre) && within(form.coefficients) &&
+    within(std::array<double, 1>{ form.residue });
+}
+
+bool within(const QuadricCut& cut)
+{
+  return within(cut.normal) && within(cut.point);
+}
+
+Kind classify(const Quadric& q)
+{
+  bool empty = false;
+  for (int k = 0; k < 3; ++k)
   {
-    throw std::invalid_argument("the source map needs one cell per triangle");
+    empty = empty || q.clip.lower[k] > q.clip.upper[k];
+  }
+  if (!empty &&
+    !(within(q.form) && within(q.bound) && within(q.cuts[0]) && within(q.cuts[1]) &&
+      within(q.clip.lower) && within(q.clip.upper)))
+  {
+    return Kind::NonFinite;
+  }
+  const auto& a = q.form.coefficients;
+  const bool constant = std::all_of(a.begin(), a.end() - 1, [](double x) { return x == 0.0; });
+  return empty || constant || !mayHavePoints(q) ? Kind::EmptyQuadric : Kind::Hittable;
+}
+
+void checkSources(const SourceMap& sources, std::size_t primitives)
+{
+  if (!sources.cells.empty() && sources.cells.size() != primitives)
+  {
+    throw std::invalid_argument("the source map needs one cell per primitive");
   }
   for (std::size_t i = 1; i < sources.blocks.size(); ++i)
   {
@@ -69,6 +101,13 @@ void checkSources(const SourceMap& sources, std::size_t triangles)
   {
     throw std::invalid_argument("the first block of the source map must begin at 0");
   }
+}
+
+/// Divided by its largest component, so that no square overflows; 0 stays 0.
+Vec3 scaledToOne(const Vec3& a)
+{
+  const double largest = std::max({ std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2]) });
+  return largest > 0.0 ? Vec3{ a[0] / largest, a[1] / largest, a[2] / largest } : a;
 }
 
 } // namespace
@@ -84,22 +123,36 @@ PointArray PointArray::from(std::vector<double> xyz)
 }
 
 Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap sources, int threads)
+  : Surface(
+      std::move(points), std::move(triangles), std::vector<Quadric>{}, std::move(sources), threads)
+{
+}
+
+Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector<Quadric> quadrics,
+  SourceMap sources, int threads)
   : points_(std::move(points))
   , triangles_(std::move(triangles))
+  , quadrics_(std::move(quadrics))
   , sources_(std::move(sources))
 {
-  if (this->triangles_.size() >= noPrimitive)
+  if (this->size() >= noPrimitive)
   {
-    throw std::invalid_argument("a surface holds at most 2^32 - 2 triangles");
+    throw std::invalid_argument("a surface holds at most 2^32 - 2 triangles and quadrics");
   }
-  checkSources(this->sources_, this->triangles_.size());
+  checkSources(this->sources_, this->size());
 
-  std::vector<Kind> kinds(this->triangles_.size());
-  parallelFor(this->triangles_.size(), 16384, threads, nullptr,
+  std::vector<Kind> kinds(this->size());
+  parallelFor(kinds.size(), 16384, threads, nullptr,
     [&](std::size_t begin, std::size_t end)
     {
+      const FloatEnvironment environment;
       for (std::size_t i = begin; i < end; ++i)
       {
+        if (i >= this->triangles_.size())
+        {
+          kinds[i] = classify(this->quadrics_[i - this->triangles_.size()]);
+          continue;
+        }
         const Triangle& t = this->triangles_[i];
         if (std::max({ t[0], t[1], t[2] }) >= this->points_.count)
         {
@@ -126,8 +179,28 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap s
       case Kind::ZeroArea:
         ++this->zeroArea_;
         break;
+      case Kind::EmptyQuadric:
+        ++this->emptyQuadrics_;
+        break;
     }
   }
+}
+
+Vec3 Surface::normal(PrimitiveId i, const Vec3& point) const
+{
+  Vec3 n;
+  if (this->isQuadric(i))
+  {
+    n = scaledToOne(gradientAt(this->quadric(i).form, point));
+  }
+  else
+  {
+    const auto v = this->vertices(i);
+    n = cross(scaledToOne(v[1] - v[0]), scaledToOne(v[2] - v[0]));
+  }
+  const double norm = length(n);
+  return std::isfinite(norm) && norm > 0.0 ? Vec3{ n[0] / norm, n[1] / norm, n[2] / norm }
+                                           : Vec3{ 0.0, 0.0, 0.0 };
 }
 
 SourceCell Surface::source(PrimitiveId i) const
@@ -149,8 +222,18 @@ std::size_t Surface::memory() const
   const std::size_t scalar =
     this->scalar() == ArrayView::Scalar::Float ? sizeof(float) : sizeof(double);
   return 3 * scalar * this->points_.count + this->triangles_.capacity() * sizeof(Triangle) +
+    this->quadrics_.capacity() * sizeof(Quadric) +
     this->sources_.cells.capacity() * sizeof(std::int64_t) +
     this->hittable_.capacity() * sizeof(PrimitiveId);
+}
+
+void refuseQuadrics(const Surface& surface, const std::string& reference)
+{
+  if (surface.quadricCount() > 0)
+  {
+    throw std::invalid_argument(reference + " knows triangles only, the surface has quadrics: " +
+      std::to_string(surface.quadricCount()));
+  }
 }
 
 } // namespace lumitree

@@ -71,6 +71,21 @@ double Dyadic::quotient(const Dyadic& a, const Dyadic& b)
   return sign * std::ldexp(static_cast<double>(kept + (up ? 1 : 0)), exponent + drop);
 }
 
+std::pair<Dyadic, Dyadic> Dyadic::squareRoot(const Dyadic& a, int bits)
+{
+  if (a.sign() == 0)
+  {
+    return {};
+  }
+  int shift = std::max(0, 2 * bits - static_cast<int>(msb(a.mantissa_)));
+  shift += (a.exponent_ - shift) % 2 != 0 ? 1 : 0;
+  Integer rest;
+  const Integer root = sqrt(Integer(a.mantissa_ << shift), rest);
+  const int exponent = (a.exponent_ - shift) / 2;
+  const Dyadic low(root, exponent);
+  return { low, rest == 0 ? low : Dyadic(root + 1, exponent) };
+}
+
 Dyadic operator+(const Dyadic& a, const Dyadic& b)
 {
   Dyadic result;

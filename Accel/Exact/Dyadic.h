@@ -43,6 +43,10 @@ public:
   /// is not 0.
   static double quotient(const Dyadic& a, const Dyadic& b);
 
+  /// The largest number of about `bits` bits whose square is not above a, and the least that is not
+  /// below it: the root twice where it has so few bits. a is not negative.
+  static std::pair<Dyadic, Dyadic> squareRoot(const Dyadic& a, int bits);
+
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);

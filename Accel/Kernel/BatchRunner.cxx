@@ -32,7 +32,8 @@ public:
     // Fast takes floating point at its word; the others settle whatever it is not certain about.
     const bool certain = options.precision != Precision::Fast;
     const ArrayView::Scalar scalar = runner.surface_.scalar();
-    this->state_.settle = settleFunction(options.precision, query);
+    this->state_.settle =
+      settleFunction(options.precision, query, runner.surface_.quadricCount() > 0);
     this->leafKernel_ = leafKernel(scalar, certain);
     if (runner.walks_.kernel)
     {

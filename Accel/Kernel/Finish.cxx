@@ -32,7 +32,9 @@ Hit finish(const RayState& state, const Candidate& c, Precision precision)
   // t.
   if (precision == Precision::Exact && c.tHigh - c.tLow > 0x1p-26 * std::fabs(c.t))
   {
-    hit.t = exact::crossingParameter(state.ray, state.surface.vertices(c.primitive));
+    hit.t = state.surface.isQuadric(c.primitive)
+      ? nearestParameter(state, c)
+      : exact::crossingParameter(state.ray, state.surface.vertices(c.primitive));
   }
   hit.t = std::min(std::max(hit.t, state.ray.tMin), state.ray.tMax);
   return hit;

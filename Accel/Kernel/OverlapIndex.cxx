@@ -213,17 +213,27 @@ std::vector<OverlapIndex::Plane> OverlapIndex::prepare(const ConvexRegion& regio
 bool OverlapIndex::leftOut(
   PrimitiveId primitive, const std::vector<Plane>& planes, std::uint64_t open) const
 {
-  const auto corners = this->surface_.vertices(primitive);
-  for (std::size_t i = 0; i < planes.size(); ++i)
+  const auto anyPlane = [&](auto beyond)
   {
-    const Plane& plane = planes[i];
-    if ((i >= nodePlanes || (open >> i & 1u) != 0) && plane.beyond(corners[0]) &&
-      plane.beyond(corners[1]) && plane.beyond(corners[2]))
+    for (std::size_t i = 0; i < planes.size(); ++i)
     {
-      return true;
+      if ((i >= nodePlanes || (open >> i & 1u) != 0) && beyond(planes[i]))
+      {
+        return true;
+      }
     }
+    return false;
+  };
+  if (this->surface_.isQuadric(primitive))
+  {
+    const Box& box = this->surface_.quadric(primitive).clip;
+    const double corners[6] = { box.lower[0], box.lower[1], box.lower[2], box.upper[0],
+      box.upper[1], box.upper[2] };
+    return anyPlane([&](const Plane& plane) { return plane.beyond(corners, plane.least); });
   }
-  return false;
+  const auto corners = this->surface_.vertices(primitive);
+  return anyPlane([&](const Plane& plane)
+    { return plane.beyond(corners[0]) && plane.beyond(corners[1]) && plane.beyond(corners[2]); });
 }
 
 void OverlapIndex::collect(

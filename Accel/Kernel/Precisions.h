@@ -4,7 +4,10 @@
 #define Lumitree_Accel_Kernel_Precisions_h
 
 #include "Accel/Exact/Predicates.h"
+#include "Accel/Kernel/QuadricHits.h"
 #include "Accel/Kernel/RayState.h"
+
+#include <tuple>
 
 namespace lumitree
 {
@@ -35,7 +38,7 @@ struct OrderByKey
 
   static bool before(RayState&, const Candidate& a, const Candidate& b)
   {
-    return a.key < b.key || (a.key == b.key && a.primitive < b.primitive);
+    return std::tie(a.key, a.primitive, a.root) < std::tie(b.key, b.primitive, b.root);
   }
 
   static double stopAt(const Candidate& c) { return c.key; }
@@ -44,6 +47,8 @@ struct OrderByKey
 /// Floating point as it comes: a hit and its t are what double arithmetic says.
 struct FastPrecision : OrderByKey
 {
+  static constexpr Precision precision = Precision::Fast;
+
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
@@ -56,6 +61,8 @@ struct FastPrecision : OrderByKey
 /// that contains an exact crossing point is never ruled out.
 struct WatertightPrecision : OrderByKey
 {
+  static constexpr Precision precision = Precision::Watertight;
+
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
@@ -70,6 +77,8 @@ struct WatertightPrecision : OrderByKey
 /// arithmetic the rest.
 struct ExactPrecision
 {
+  static constexpr Precision precision = Precision::Exact;
+
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.filter, vertices);
@@ -102,8 +111,10 @@ struct ExactPrecision
       return false;
     }
     ++state.exactTests;
-    const int order = exact::compareCrossings(
-      state.ray, state.surface.vertices(a.primitive), state.surface.vertices(b.primitive));
+    const Surface& s = state.surface;
+    const int order = s.isQuadric(a.primitive) || s.isQuadric(b.primitive)
+      ? compareExactly(state, a, b)
+      : exact::compareCrossings(state.ray, s.vertices(a.primitive), s.vertices(b.primitive));
     return order < 0 || (order == 0 && a.primitive < b.primitive);
   }
 

@@ -5,14 +5,19 @@
 
 #include "Accel/Kernel/RayState.h"
 
+#include <tuple>
+
 namespace lumitree
 {
 
 /// A query alone owns order, ties and duplicates: offer takes a candidate that is hit and lowers
-/// tStop as far as the query allows.
+/// tStop as far as the query allows. Of a quadric's two roots it is offered both, or the nearer one
+/// where everyRoot is false.
 
 struct ClosestQuery
 {
+  static constexpr bool everyRoot = false;
+
   template <class Precision>
   static void offer(RayState& state, const Candidate& c)
   {
@@ -28,6 +33,8 @@ struct ClosestQuery
 
 struct AnyQuery
 {
+  static constexpr bool everyRoot = false;
+
   template <class Precision>
   static void offer(RayState& state, const Candidate& c)
   {
@@ -40,6 +47,8 @@ struct AnyQuery
 /// offers it several times.
 struct CollectQuery
 {
+  static constexpr bool everyRoot = true;
+
   template <class Precision>
   static void offer(RayState& state, const Candidate& c)
   {
@@ -47,15 +56,17 @@ struct CollectQuery
   }
 };
 
-/// A structure may have offered a primitive from several leaves: keeps the one with the lowest key.
+/// A structure may have offered a primitive from several leaves: keeps the one with the lowest key,
+/// of a quadric one per root.
 inline void dropDuplicates(RayState& state)
 {
   auto& found = state.found;
   std::sort(found.begin(), found.end(),
     [](const Candidate& a, const Candidate& b)
-    { return a.primitive < b.primitive || (a.primitive == b.primitive && a.key < b.key); });
+    { return std::tie(a.primitive, a.root, a.key) < std::tie(b.primitive, b.root, b.key); });
   found.erase(std::unique(found.begin(), found.end(),
-                [](const Candidate& a, const Candidate& b) { return a.primitive == b.primitive; }),
+                [](const Candidate& a, const Candidate& b)
+                { return a.primitive == b.primitive && a.root == b.root; }),
     found.end());
 }
 

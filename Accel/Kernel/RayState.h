@@ -17,6 +17,7 @@ namespace lumitree
 struct Candidate
 {
   PrimitiveId primitive = noPrimitive;
+  std::uint8_t root = 0; ///< of a quadric: 0 the lower, 1 the upper of two
   double key = std::numeric_limits<double>::infinity(); ///< what Fast and Watertight order by
   double t = 0.0;
   double tLow = 0.0;

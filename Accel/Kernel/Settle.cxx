@@ -21,32 +21,58 @@ void settleCandidate(RayState& state, const Corners& corners, PrimitiveId primit
   }
 }
 
+/// The same of a surface with quadrics, whose lanes the filter always keeps.
+template <class PrecisionPolicy, class Query>
+void settleEither(RayState& state, const Corners& corners, PrimitiveId primitive)
+{
+  if (!state.surface.isQuadric(primitive))
+  {
+    return settleCandidate<PrecisionPolicy, Query>(state, corners, primitive);
+  }
+  if (state.skips(primitive))
+  {
+    return;
+  }
+  const QuadricHits hits = quadricHits(state, primitive, PrecisionPolicy::precision);
+  const int offered = Query::everyRoot ? hits.count : std::min(hits.count, 1);
+  for (int i = 0; i < offered; ++i)
+  {
+    Query::template offer<PrecisionPolicy>(state, hits.hits[static_cast<std::size_t>(i)]);
+  }
+}
+
+template <class PrecisionPolicy, class Query>
+SettleFunction choose(bool quadrics)
+{
+  return quadrics ? settleEither<PrecisionPolicy, Query> : settleCandidate<PrecisionPolicy, Query>;
+}
+
 template <class PrecisionPolicy>
-SettleFunction forQuery(QueryKind query)
+SettleFunction forQuery(QueryKind query, bool quadrics)
 {
   switch (query)
   {
     case QueryKind::Closest:
-      return settleCandidate<PrecisionPolicy, ClosestQuery>;
+      return choose<PrecisionPolicy, ClosestQuery>(quadrics);
     case QueryKind::Any:
-      return settleCandidate<PrecisionPolicy, AnyQuery>;
+      return choose<PrecisionPolicy, AnyQuery>(quadrics);
     default:
-      return settleCandidate<PrecisionPolicy, CollectQuery>;
+      return choose<PrecisionPolicy, CollectQuery>(quadrics);
   }
 }
 
 } // namespace
 
-SettleFunction settleFunction(Precision precision, QueryKind query)
+SettleFunction settleFunction(Precision precision, QueryKind query, bool quadrics)
 {
   switch (precision)
   {
     case Precision::Fast:
-      return forQuery<FastPrecision>(query);
+      return forQuery<FastPrecision>(query, quadrics);
     case Precision::Watertight:
-      return forQuery<WatertightPrecision>(query);
+      return forQuery<WatertightPrecision>(query, quadrics);
     default:
-      return forQuery<ExactPrecision>(query);
+      return forQuery<ExactPrecision>(query, quadrics);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/GridBuilder.h"
 
-#include "Accel/Structures/TriangleBoxOverlap.h"
+#include "Accel/Structures/PrimitiveBoxOverlap.h"
 
 #include <stdexcept>
 
@@ -62,7 +62,7 @@ private:
     const std::vector<PrimitiveId>& all = surface.hittable();
     for (std::size_t i = 0; i < all.size() && this->references_.size() <= this->limit_; i += stride)
     {
-      const TriangleBoxOverlap overlap(surface.vertices(all[i]));
+      const PrimitiveBoxOverlap overlap(surface, all[i]);
       this->insert(overlap, all[i], this->lattice_.slabsOf(overlap.bounds()));
       ++done;
       if (done % primitivesPerReport == 0)
@@ -76,7 +76,7 @@ private:
 
   /// Halves blocks of cells until one cell is left: a large triangle is not tested against every
   /// cell of its box.
-  void insert(const TriangleBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
+  void insert(const PrimitiveBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
   {
     int axis = 0;
     for (int k = 1; k < 3; ++k)

@@ -3,6 +3,7 @@
 #include "Accel/Structures/KdTreeBuilder.h"
 
 #include "Accel/Structures/KdTreeClip.h"
+#include "Accel/Structures/QuadricBoxOverlap.h"
 
 #include <stdexcept>
 
@@ -107,19 +108,19 @@ private:
       }
       else
       {
-        const auto triangle = this->surface_.vertices(r.id);
-        addPart(sides.below, r, triangle, cells.below);
-        addPart(sides.above, r, triangle, cells.above);
+        this->addPart(sides.below, r, cells.below);
+        this->addPart(sides.above, r, cells.above);
       }
     }
     return sides;
   }
 
-  static void addPart(std::vector<KdReference>& side, const KdReference& whole,
-    const std::array<Vec3, 3>& triangle, const Box& cell)
+  void addPart(std::vector<KdReference>& side, const KdReference& whole, const Box& cell) const
   {
-    const Box bounds = commonBox(clippedBounds(triangle, cell), whole.bounds);
-    if (!bounds.empty())
+    const bool quadric = this->surface_.isQuadric(whole.id);
+    const Box bounds = commonBox(
+      quadric ? cell : clippedBounds(this->surface_.vertices(whole.id), cell), whole.bounds);
+    if (!bounds.empty() && !(quadric && !mayMeet(this->surface_.quadric(whole.id), bounds)))
     {
       side.push_back({ bounds, whole.id });
     }

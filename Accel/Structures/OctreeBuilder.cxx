@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/OctreeBuilder.h"
 
-#include "Accel/Structures/TriangleBoxOverlap.h"
+#include "Accel/Structures/PrimitiveBoxOverlap.h"
 
 #include <array>
 
@@ -125,7 +125,7 @@ private:
     std::size_t total = 0;
     for (const PrimitiveId id : open.primitives)
     {
-      const TriangleBoxOverlap overlap(this->surface_.vertices(id));
+      const PrimitiveBoxOverlap overlap(this->surface_, id);
       for (int i = 0; i < 8; ++i)
       {
         if (overlap.mayMeet(boxes[i]))
