@@ -57,14 +57,14 @@ void BuildProgress::check() const
 }
 
 void BuildProgress::forEach(
-  std::size_t n, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& body)
+  std::size_t n, std::size_t chunk, const Body& body, const Weight& weight)
 {
   parallelFor(n, chunk, this->threads_, nullptr,
     [&](std::size_t begin, std::size_t end)
     {
       this->check();
       body(begin, end);
-      this->advance(end - begin);
+      this->advance(weight ? weight(begin, end) : end - begin);
     });
 }
 

@@ -37,9 +37,12 @@ public:
   /// Throws BuildStopped when the build was stopped. From any thread.
   void check() const;
 
-  /// parallelFor over 0…n - 1, which advances by what it has done.
-  void forEach(std::size_t n, std::size_t chunk,
-    const std::function<void(std::size_t begin, std::size_t end)>& body);
+  using Body = std::function<void(std::size_t begin, std::size_t end)>;
+  using Weight = std::function<std::size_t(std::size_t begin, std::size_t end)>;
+
+  /// parallelFor over 0…n - 1, which advances by what it has done: the size of the chunk, or what
+  /// weight says.
+  void forEach(std::size_t n, std::size_t chunk, const Body& body, const Weight& weight = {});
 
 private:
   void report();

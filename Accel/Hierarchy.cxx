@@ -26,6 +26,13 @@ void completeHierarchy(HierarchyView& view)
   }
 }
 
+double duplicationOf(std::size_t references, const Surface& surface)
+{
+  return surface.hittable().empty()
+    ? 1.0
+    : static_cast<double>(references) / static_cast<double>(surface.hittable().size());
+}
+
 BuildStatistics describe(const HierarchyView& view, const Surface& surface)
 {
   BuildStatistics s;
@@ -37,9 +44,7 @@ BuildStatistics describe(const HierarchyView& view, const Surface& surface)
     s.sahCost += node.cost;
   }
   s.references = view.references.size();
-  s.duplication = surface.hittable().empty()
-    ? 1.0
-    : static_cast<double>(s.references) / static_cast<double>(surface.hittable().size());
+  s.duplication = duplicationOf(s.references, surface);
   return s;
 }
 

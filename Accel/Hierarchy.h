@@ -44,6 +44,9 @@ struct BuildStatistics;
 /// Fills in each node's cost and each interior node's number of references from the leaves.
 void completeHierarchy(HierarchyView& view);
 
+/// References per primitive that can be hit; 1 where there is none.
+[[nodiscard]] double duplicationOf(std::size_t references, const Surface& surface);
+
 /// Nodes, leaves, depth, references, duplication and surface-area cost of a hierarchy over a
 /// surface.
 [[nodiscard]] BuildStatistics describe(const HierarchyView& view, const Surface& surface);

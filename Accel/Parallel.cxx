@@ -59,9 +59,7 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
   else
   {
     // oneTBB warns on the standard error of a program that asks for more than it may have.
-    const auto allowed = static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    tbb::task_arena arena(threads > 0 ? std::min(threads, allowed) : tbb::task_arena::automatic);
+    tbb::task_arena arena(threads > 0 ? concurrency(threads) : tbb::task_arena::automatic);
     happensBefore(spawned);
     arena.execute(
       [&]
@@ -80,6 +78,13 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
     happensAfter(finished);
   }
   return done.load() == chunks;
+}
+
+int concurrency(int threads)
+{
+  const auto allowed = static_cast<int>(
+    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return threads > 0 ? std::min(threads, allowed) : allowed;
 }
 
 } // namespace lumitree

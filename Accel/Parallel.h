@@ -20,6 +20,9 @@ namespace lumitree
 LUMITREE_ACCEL_EXPORT bool parallelFor(std::size_t n, std::size_t chunk, int threads,
   JobControl* control, const std::function<void(std::size_t, std::size_t)>& body);
 
+/// How many threads parallelFor uses when it is asked for so many.
+[[nodiscard]] LUMITREE_ACCEL_EXPORT int concurrency(int threads);
+
 } // namespace lumitree
 
 #endif

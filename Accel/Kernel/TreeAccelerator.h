@@ -9,9 +9,24 @@
 
 #include <chrono>
 #include <memory>
+#include <type_traits>
 
 namespace lumitree
 {
+
+/// Whether a structure has statistics of its own.
+///@{
+template <class Tree, class = void>
+struct CountsItself : std::false_type
+{
+};
+template <class Tree>
+struct CountsItself<Tree,
+  std::void_t<decltype(std::declval<const Tree&>().statistics(std::declval<const Surface&>()))>>
+  : std::true_type
+{
+};
+///@}
 
 /// An accelerator from a structure that only builds, walks and shows itself:
 ///
@@ -20,6 +35,10 @@ namespace lumitree
 ///     const void* walked() const; // what the walks take as their structure
 ///     HierarchyView view(const LeafBlocks&) const;
 ///     std::size_t memory() const;
+///
+/// and where the view takes long to make
+///
+///     BuildStatistics statistics(const Surface&) const; // what describe says of the view
 template <class Tree>
 class TreeAccelerator final : public Accelerator
 {
@@ -37,7 +56,14 @@ public:
     progress.advance(1);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
-    this->statistics_ = describe(this->hierarchy(), this->surface());
+    if constexpr (CountsItself<Tree>::value)
+    {
+      this->statistics_ = this->tree_->statistics(this->surface());
+    }
+    else
+    {
+      this->statistics_ = describe(this->hierarchy(), this->surface());
+    }
     this->statistics_.buildSeconds = elapsed.count();
     this->statistics_.memory = this->tree_->memory() +
       std::visit([](const auto& blocks) { return blocks.memory(); }, this->blocks_);

@@ -46,6 +46,18 @@ public:
     return first;
   }
 
+  /// Makes room for so many blocks in all, to be put.
+  void resize(std::size_t blocks) { this->blocks_.resize(blocks); }
+
+  /// Writes a leaf from a block on. From several threads, if leaves do not overlap.
+  void put(std::uint32_t first, const Surface& surface, const PrimitiveId* ids, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; i += blockWidth)
+    {
+      this->blocks_[first + i / blockWidth] = pack(surface, ids + i, count - i);
+    }
+  }
+
   [[nodiscard]] const TriangleBlock<T>& operator[](std::size_t i) const { return this->blocks_[i]; }
 
   [[nodiscard]] std::size_t memory() const

@@ -5,6 +5,7 @@
 #include "Accel/Kernel/RayBox.h"
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/BvhBuilder.h"
+#include "Accel/Structures/BvhNodes.h"
 
 namespace lumitree
 {
@@ -17,26 +18,40 @@ public:
   Bvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress)
   {
-    const BvhSplitter splitter = options.bvhBuild == BvhBuild::LongestAxisMedian
-      ? medianSplitter(options.leafSize)
-      : binnedSahSplitter(options.leafSize);
-    this->bvh_ = buildBvhNodes(surface, splitter, options.maxDepth, progress);
-    progress.stage(0.99, this->bvh_.references.size());
+    if (surface.hittable().empty())
+    {
+      this->bvh_.nodes.resize(1);
+    }
+    else
+    {
+      this->bvh_ = exactBvhNodes(surface, buildBvhTree(surface, options, progress), progress);
+    }
     this->firstBlock_.resize(this->bvh_.nodes.size());
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < this->bvh_.nodes.size(); ++i)
+    {
+      const BvhNode& node = this->bvh_.nodes[i];
+      this->firstBlock_[i] = count;
+      count += node.leaf ? (node.count + blockWidth - 1) / blockWidth : 0;
+    }
+    progress.stage(0.99, this->bvh_.nodes.size());
     std::visit(
       [&](auto& store)
       {
-        store.reserve(this->bvh_.nodes.size() / 2 + surface.hittable().size() / blockWidth + 1);
-        for (std::size_t i = 0; i < this->bvh_.nodes.size(); ++i)
-        {
-          const BvhNode& node = this->bvh_.nodes[i];
-          if (node.leaf)
+        store.resize(count);
+        progress.forEach(this->bvh_.nodes.size(), 2048,
+          [&](std::size_t begin, std::size_t end)
           {
-            this->firstBlock_[i] =
-              store.append(surface, this->bvh_.references.data() + node.first, node.count);
-            progress.advance(node.count);
-          }
-        }
+            for (std::size_t i = begin; i < end; ++i)
+            {
+              const BvhNode& node = this->bvh_.nodes[i];
+              if (node.leaf)
+              {
+                store.put(this->firstBlock_[i], surface, this->bvh_.references.data() + node.first,
+                  node.count);
+              }
+            }
+          });
       },
       blocks);
   }
@@ -125,6 +140,28 @@ public:
     }
     completeHierarchy(view);
     return view;
+  }
+
+  [[nodiscard]] BuildStatistics statistics(const Surface& surface) const
+  {
+    BuildStatistics s;
+    s.nodes = this->bvh_.nodes.size();
+    s.references = this->bvh_.references.size();
+    s.duplication = duplicationOf(s.references, surface);
+    std::vector<int> depths(s.nodes, 0);
+    const double whole = this->bvh_.nodes.front().box.area();
+    for (std::size_t i = 0; i < s.nodes; ++i)
+    {
+      const BvhNode& node = this->bvh_.nodes[i];
+      s.leaves += node.leaf ? 1 : 0;
+      s.depth = std::max(s.depth, depths[i]);
+      s.sahCost += whole > 0.0 ? node.box.area() / whole * (node.leaf ? node.count : 1) : 0.0;
+      if (!node.leaf)
+      {
+        depths[node.first] = depths[node.first + 1] = depths[i] + 1;
+      }
+    }
+    return s;
   }
 
   [[nodiscard]] std::size_t memory() const

@@ -2,91 +2,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BvhBuilder.h"
 
-#include <vector>
+#include "Accel/Structures/BvhBinned.h"
+#include "Accel/Structures/BvhDriver.h"
+#include "Accel/Structures/BvhFrame.h"
+#include "Accel/Structures/BvhMedian.h"
 
 namespace lumitree
 {
 namespace
 {
 
-/// A range of references that will become the node `node`.
-struct Task
+constexpr std::size_t chunk = 16384;
+
+/// The surface's primitives as references, and the root's segment.
+struct Start
 {
-  std::size_t begin;
-  std::size_t end;
-  std::uint32_t node;
-  int depth;
+  BuildReferences references;
+  BvhSegment root;
+
+  Start(const Surface& surface, const WideBvhFrame& frame, double room, BuildProgress& progress)
+  {
+    const std::vector<PrimitiveId>& ids = surface.hittable();
+    this->root.end = ids.size();
+    this->root.limit =
+      ids.size() + static_cast<std::size_t>(room * static_cast<double>(ids.size()));
+    this->references = BuildReferences(this->root.limit);
+    std::vector<BvhSegment> parts((ids.size() + chunk - 1) / chunk);
+    progress.stage(0.08, ids.size());
+    progress.forEach(ids.size(), chunk,
+      [&](std::size_t begin, std::size_t end)
+      {
+        BvhSegment part;
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          BuildReference& r = this->references[i];
+          const Box box = surface.box(ids[i]);
+          for (int k = 0; k < 3; ++k)
+          {
+            r.lower[k] = roundedDown(box.lower[k], frame.centre[k], frame.scale);
+            r.upper[k] = roundedUp(box.upper[k], frame.centre[k], frame.scale);
+          }
+          r.id = ids[i];
+          r.unused = 0;
+          part.bounds.extend(r.low(), r.high());
+          part.centres.extend(r.centre());
+        }
+        parts[begin / chunk] = part;
+      });
+    for (const BvhSegment& part : parts)
+    {
+      this->root.bounds.extend(part.bounds);
+      this->root.centres.extend(part.centres);
+    }
+  }
 };
 
-std::vector<BuildReference> makeReferences(const Surface& surface, BuildProgress& progress)
+template <class Strategy>
+void divide(Strategy strategy, const BvhSegment& root, const BuildOptions& options,
+  BuildProgress& progress, BvhTree& tree)
 {
-  const auto& ids = surface.hittable();
-  std::vector<BuildReference> references(ids.size());
-  progress.stage(0.05, ids.size());
-  progress.forEach(ids.size(), 16384,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Box box = surface.box(ids[i]);
-        references[i] = { box, box.centre(), ids[i] };
-      }
-    });
-  return references;
+  progress.stage(0.7, root.count());
+  BvhDriver<Strategy>(strategy, options.leafSize, options.maxDepth, progress).build(root, tree);
 }
 
 } // namespace
 
-BvhNodes buildBvhNodes(
-  const Surface& surface, const BvhSplitter& split, int maxDepth, BuildProgress& progress)
+BvhTree buildBvhTree(const Surface& surface, const BuildOptions& options, BuildProgress& progress)
 {
-  std::vector<BuildReference> references = makeReferences(surface, progress);
-  progress.stage(0.7, references.size());
-  BvhNodes bvh;
-  bvh.nodes.reserve(references.size());
-  bvh.nodes.emplace_back();
-  std::vector<Task> tasks = { { 0, references.size(), 0, 0 } };
-  while (!tasks.empty())
+  BvhTree tree;
+  tree.frame = frameOf(surface.bounds());
+  Start start(surface, tree.frame, 0.0, progress);
+  switch (options.bvhBuild)
   {
-    const Task task = tasks.back();
-    tasks.pop_back();
-    progress.advance(0);
-    BuildReference* const begin = references.data() + task.begin;
-    BuildReference* const end = references.data() + task.end;
-
-    BvhNode node;
-    for (const BuildReference* r = begin; r != end; ++r)
-    {
-      node.box.extend(r->box);
-    }
-    const BvhSplit division = task.depth < maxDepth ? split(node.box, begin, end) : BvhSplit{};
-    node.leaf = division.middle == nullptr;
-    if (node.leaf)
-    {
-      // Primitives in ascending order: the leaf does not depend on how its node came about.
-      std::sort(
-        begin, end, [](const BuildReference& a, const BuildReference& b) { return a.id < b.id; });
-      node.first = static_cast<std::uint32_t>(task.begin);
-      node.count = static_cast<std::uint32_t>(task.end - task.begin);
-      progress.advance(node.count);
-    }
-    else
-    {
-      node.first = static_cast<std::uint32_t>(bvh.nodes.size());
-      node.axis = static_cast<std::int8_t>(division.axis);
-      bvh.nodes.resize(bvh.nodes.size() + 2);
-      const auto middle = static_cast<std::size_t>(division.middle - references.data());
-      tasks.push_back({ middle, task.end, node.first + 1, task.depth + 1 });
-      tasks.push_back({ task.begin, middle, node.first, task.depth + 1 });
-    }
-    bvh.nodes[task.node] = node;
+    case BvhBuild::LongestAxisMedian:
+      divide(
+        MedianStrategy(start.references, options.leafSize), start.root, options, progress, tree);
+      break;
+    case BvhBuild::BinnedSah:
+      divide(BinnedStrategy(start.references, options.leafSize, progress), start.root, options,
+        progress, tree);
+      break;
   }
-  bvh.references.reserve(references.size());
-  for (const BuildReference& r : references)
-  {
-    bvh.references.push_back(r.id);
-  }
-  return bvh;
+  return tree;
 }
 
 } // namespace lumitree

@@ -5,44 +5,20 @@
 
 #include "Accel/BuildOptions.h"
 #include "Accel/BuildProgress.h"
-#include "Accel/Structures/BvhNodes.h"
+#include "Accel/Structures/BvhTree.h"
 #include "Accel/Surface.h"
-
-#include <functional>
 
 namespace lumitree
 {
 
-/// A primitive while a hierarchy is built.
-struct BuildReference
-{
-  Box box;
-  Vec3 centre;
-  PrimitiveId id;
-};
-
-/// How a node's references were divided: [begin, middle) and [middle, end).
-struct BvhSplit
-{
-  BuildReference* middle = nullptr; ///< null: do not divide
-  int axis = -1;
-};
-
-/// Divides the references of a node by reordering them; both sides hold at least one.
-using BvhSplitter =
-  std::function<BvhSplit(const Box& bounds, BuildReference* begin, BuildReference* end)>;
-
-/// The textbook's split: along the longest axis of the node's box, at the object in the middle.
-/// Leaves hold up to leafSize.
-[[nodiscard]] BvhSplitter medianSplitter(int leafSize);
-
-/// The surface-area heuristic over 16 bins of the centres on each axis (Wald 2007). Where no plane
-/// parts the centres, the object in the middle does.
-[[nodiscard]] BvhSplitter binnedSahSplitter(int leafSize);
-
-/// Divides from the root on until the splitter stops or maxDepth is reached. Deterministic.
-[[nodiscard]] BvhNodes buildBvhNodes(
-  const Surface& surface, const BvhSplitter& split, int maxDepth, BuildProgress& progress);
+/// Builds the binary hierarchy that BuildOptions::bvhBuild asks for over a surface that is not
+/// empty. The same for any number of threads.
+///
+/// Leaves hold up to leafSize primitives; of up to four there is always a leaf, as leaf tests go by
+/// blocks of four. Where the depth left only just suffices for halving, nodes are halved. At
+/// maxDepth a node becomes a leaf whatever it holds.
+[[nodiscard]] BvhTree buildBvhTree(
+  const Surface& surface, const BuildOptions& options, BuildProgress& progress);
 
 } // namespace lumitree
 

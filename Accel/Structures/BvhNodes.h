@@ -4,7 +4,9 @@
 #define Lumitree_Accel_Structures_BvhNodes_h
 
 #include "Accel/Box.h"
-#include "Accel/Hit.h"
+#include "Accel/BuildProgress.h"
+#include "Accel/Structures/BvhTree.h"
+#include "Accel/Surface.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,6 +32,14 @@ struct BvhNodes
   std::vector<BvhNode> nodes;
   std::vector<PrimitiveId> references; ///< in the order of the leaves
 };
+
+/// The nodes of a tree as built, with their boxes in double: those of the primitives' coordinates,
+/// or, where these are clipped, the tree's own, outward.
+[[nodiscard]] BvhNodes exactBvhNodes(
+  const Surface& surface, BvhTree&& tree, BuildProgress& progress);
+
+/// Makes the boxes those of the surface's coordinates, from the leaves up.
+void refitBoxes(const Surface& surface, BvhNodes& bvh, BuildProgress& progress);
 
 } // namespace lumitree
 

@@ -19,13 +19,10 @@ public:
   WideBvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress)
   {
-    const BvhSplitter splitter = options.bvhBuild == BvhBuild::LongestAxisMedian
-      ? medianSplitter(options.leafSize)
-      : binnedSahSplitter(options.leafSize);
     if (!surface.hittable().empty())
     {
-      const BvhNodes binary = buildBvhNodes(surface, splitter, options.maxDepth, progress);
-      this->tree_ = fillWideBvh(surface, binary, options.leafSize, blocks, progress);
+      BvhTree binary = buildBvhTree(surface, options, progress);
+      this->tree_ = fillWideBvh(surface, std::move(binary), options.leafSize, blocks, progress);
     }
   }
 
@@ -43,6 +40,11 @@ public:
   [[nodiscard]] HierarchyView view(const LeafBlocks& blocks) const
   {
     return viewWideBvh(this->tree_, blocks);
+  }
+
+  [[nodiscard]] BuildStatistics statistics(const Surface& surface) const
+  {
+    return statisticsOf(this->tree_, surface);
   }
 
   [[nodiscard]] std::size_t memory() const

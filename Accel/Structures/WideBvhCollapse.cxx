@@ -15,7 +15,7 @@ namespace
 struct Plan
 {
   /// cost[i]: least cost of showing the subtree as at most i nodes, i = 1 … 7.
-  std::array<double, wideArity> cost{};
+  std::array<float, wideArity> cost{};
   /// split[i]: of i nodes, how many go to the left child; 0: fewer than i are better (or i is 1).
   std::array<std::uint8_t, wideArity> split{};
   /// As one wide node: how many of its eight lanes go to the left child. 0: a leaf.
@@ -26,7 +26,7 @@ struct Plan
 class Planner
 {
 public:
-  Planner(const BvhNodes& bvh, int leafSize)
+  Planner(const BvhTree& bvh, int leafSize)
     : bvh_(bvh)
     , leafSize_(static_cast<std::uint32_t>(leafSize))
     , plans_(bvh.nodes.size())
@@ -77,13 +77,13 @@ public:
 private:
   void plan(std::size_t i)
   {
-    const BvhNode& node = this->bvh_.nodes[i];
+    const BvhTreeNode& node = this->bvh_.nodes[i];
     Plan& plan = this->plans_[i];
-    const double area = node.box.area();
-    if (node.leaf)
+    const float area = node.halfArea();
+    if (node.isLeaf())
     {
-      plan.primitives = node.count;
-      plan.cost.fill(area * blocks(node.count));
+      plan.primitives = node.count();
+      plan.cost.fill(area * blocks(node.count()));
       return;
     }
     const Plan& left = this->plans_[node.first];
@@ -92,10 +92,10 @@ private:
 
     const auto best = [&](int lanes, std::uint8_t& split)
     {
-      double least = std::numeric_limits<double>::infinity();
+      float least = std::numeric_limits<float>::infinity();
       for (int k = 1; k < lanes; ++k)
       {
-        const double cost =
+        const float cost =
           left.cost[std::min(k, wideArity - 1)] + right.cost[std::min(lanes - k, wideArity - 1)];
         if (cost < least)
         {
@@ -106,16 +106,16 @@ private:
       return least;
     };
 
-    const double asNode = best(wideArity, plan.lanes) + area;
-    const double asLeaf = plan.primitives <= this->leafSize_
+    const float asNode = best(wideArity, plan.lanes) + area;
+    const float asLeaf = plan.primitives <= this->leafSize_
       ? area * blocks(plan.primitives)
-      : std::numeric_limits<double>::infinity();
+      : std::numeric_limits<float>::infinity();
     plan.cost[1] = std::min(asNode, asLeaf);
     plan.lanes = asLeaf <= asNode ? 0 : plan.lanes;
     for (int lanes = 2; lanes < wideArity; ++lanes)
     {
       std::uint8_t split = 0;
-      const double cost = best(lanes, split);
+      const float cost = best(lanes, split);
       const bool better = cost < plan.cost[lanes - 1];
       plan.cost[lanes] = better ? cost : plan.cost[lanes - 1];
       plan.split[lanes] = better ? split : 0;
@@ -126,7 +126,7 @@ private:
   void gather(std::uint32_t binary, int lanes, std::vector<std::uint32_t>& out) const
   {
     const Plan& plan = this->plans_[binary];
-    int used = this->bvh_.nodes[binary].leaf ? 1 : std::min(lanes, wideArity - 1);
+    int used = this->bvh_.nodes[binary].isLeaf() ? 1 : std::min(lanes, wideArity - 1);
     while (used > 1 && plan.split[used] == 0)
     {
       --used;
@@ -141,19 +141,16 @@ private:
     this->gather(left + 1, used - plan.split[used], out);
   }
 
-  static double blocks(std::uint32_t primitives)
-  {
-    return static_cast<double>((primitives + 3) / 4);
-  }
+  static float blocks(std::uint32_t primitives) { return static_cast<float>((primitives + 3) / 4); }
 
-  const BvhNodes& bvh_;
+  const BvhTree& bvh_;
   std::uint32_t leafSize_;
   std::vector<Plan> plans_;
 };
 
 } // namespace
 
-std::vector<CollapsedNode> collapse(const BvhNodes& bvh, int leafSize)
+std::vector<CollapsedNode> collapse(const BvhTree& bvh, int leafSize)
 {
   return Planner(bvh, leafSize).nodes();
 }

@@ -3,7 +3,7 @@
 #ifndef Lumitree_Accel_Structures_WideBvhCollapse_h
 #define Lumitree_Accel_Structures_WideBvhCollapse_h
 
-#include "Accel/Structures/BvhNodes.h"
+#include "Accel/Structures/BvhTree.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,7 +25,7 @@ struct CollapsedNode
 /// Collapses a binary hierarchy to one of eight children a node at the least surface-area cost that
 /// its boxes allow (Ylitie, Karras & Laine 2017, section 3.1, by dynamic programming): a node costs
 /// its area, a leaf of at most leafSize primitives its area times its blocks of four.
-[[nodiscard]] std::vector<CollapsedNode> collapse(const BvhNodes& bvh, int leafSize);
+[[nodiscard]] std::vector<CollapsedNode> collapse(const BvhTree& bvh, int leafSize);
 
 } // namespace lumitree
 

@@ -11,32 +11,7 @@ namespace lumitree
 namespace
 {
 
-WideBvhFrame frameOf(const Box& bounds)
-{
-  WideBvhFrame frame;
-  frame.centre = bounds.centre();
-  const Vec3 size = bounds.size();
-  int exponent = 0;
-  std::frexp(std::max({ size[0], size[1], size[2] }), &exponent);
-  frame.scale = std::ldexp(1.0, std::clamp(1 - exponent, -1000, 1000));
-  return frame;
-}
-
-/// In the frame, rounded outward: the subtraction rounds to 2^-53 of the result, the conversion to
-/// 2^-24.
-///@{
-float roundedDown(double x, double centre, double scale)
-{
-  const double v = (x - centre) * scale;
-  return static_cast<float>(v - (std::fabs(v) * 0x1p-23 + 0x1p-120));
-}
-
-float roundedUp(double x, double centre, double scale)
-{
-  const double v = (x - centre) * scale;
-  return static_cast<float>(v + (std::fabs(v) * 0x1p-23 + 0x1p-120));
-}
-///@}
+constexpr std::size_t chunk = 1024;
 
 WideBvhNode emptyNode()
 {
@@ -57,78 +32,103 @@ struct Range
 };
 
 /// The references below each binary node: those of its leaves, which lie side by side.
-std::vector<Range> rangesOf(const BvhNodes& bvh)
+std::vector<Range> rangesOf(const BvhTree& bvh)
 {
   std::vector<Range> ranges(bvh.nodes.size());
   for (std::size_t i = bvh.nodes.size(); i-- > 0;)
   {
-    const BvhNode& node = bvh.nodes[i];
-    ranges[i] = node.leaf
-      ? Range{ node.first, node.count }
+    const BvhTreeNode& node = bvh.nodes[i];
+    ranges[i] = node.isLeaf()
+      ? Range{ node.first, node.count() }
       : Range{ ranges[node.first].first, ranges[node.first].count + ranges[node.first + 1].count };
   }
   return ranges;
 }
 
-template <class T>
-std::uint32_t appendLeaf(
-  const Surface& surface, const BvhNodes& bvh, const Range& range, TriangleBlocks<T>& store)
+/// What a kept node has become.
+struct Place
 {
-  // Ascending, so that a leaf does not depend on how its node came about.
-  std::vector<PrimitiveId> ids(
-    bvh.references.begin() + range.first, bvh.references.begin() + range.first + range.count);
-  std::sort(ids.begin(), ids.end());
-  return store.append(surface, ids.data(), ids.size());
-}
+  Range range;              ///< leaf: its primitives
+  std::uint32_t number = 0; ///< leaf: its first block; else its node
+};
 
 } // namespace
 
-WideBvhNodes fillWideBvh(const Surface& surface, const BvhNodes& binary, int leafSize,
-  LeafBlocks& blocks, BuildProgress& progress)
+WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize, LeafBlocks& blocks,
+  BuildProgress& progress)
 {
   const std::vector<CollapsedNode> kept = collapse(binary, leafSize);
-  const std::vector<Range> ranges = rangesOf(binary);
-  progress.stage(0.99, binary.references.size());
-  std::vector<std::uint32_t> nodeOf(kept.size());
+  progress.stage(0.8, 2 * kept.size());
+  std::vector<Place> places(kept.size());
+  {
+    const std::vector<Range> ranges = rangesOf(binary);
+    progress.forEach(kept.size(), chunk,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          if (kept[i].leaf)
+          {
+            // Ascending, so that a leaf does not depend on how its node came about, and once each.
+            Range range = ranges[kept[i].binary];
+            PrimitiveId* const ids = binary.references.data() + range.first;
+            std::sort(ids, ids + range.count);
+            range.count = static_cast<std::uint32_t>(std::unique(ids, ids + range.count) - ids);
+            places[i].range = range;
+          }
+        }
+      });
+  }
   std::uint32_t nodeCount = 0;
+  std::uint32_t blockCount = 0;
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
-    nodeOf[i] = kept[i].leaf ? 0 : nodeCount++;
+    places[i].number = kept[i].leaf ? blockCount : nodeCount;
+    blockCount += (places[i].range.count + blockWidth - 1) / blockWidth;
+    nodeCount += kept[i].leaf ? 0 : 1;
   }
 
   WideBvhNodes tree;
-  tree.frame = frameOf(surface.bounds());
-  tree.nodes.reserve(nodeCount);
-  tree.firstId.reserve(nodeCount);
-  for (const CollapsedNode& node : kept)
-  {
-    if (node.leaf)
+  tree.frame = binary.frame;
+  tree.nodes.resize(nodeCount);
+  tree.firstId.resize(nodeCount);
+  std::visit([&](auto& store) { store.resize(blockCount); }, blocks);
+  progress.stage(0.99, kept.size());
+  progress.forEach(kept.size(), chunk,
+    [&](std::size_t begin, std::size_t end)
     {
-      continue;
-    }
-    WideBvhNode wide = emptyNode();
-    for (std::uint32_t lane = 0; lane < node.childCount; ++lane)
-    {
-      const CollapsedNode& child = kept[node.firstChild + lane];
-      const Box& box = binary.nodes[child.binary].box;
-      for (int k = 0; k < 3; ++k)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        wide.planes[k][lane] = roundedDown(box.lower[k], tree.frame.centre[k], tree.frame.scale);
-        wide.planes[k + 3][lane] = roundedUp(box.upper[k], tree.frame.centre[k], tree.frame.scale);
+        const CollapsedNode& node = kept[i];
+        const Place& place = places[i];
+        if (node.leaf)
+        {
+          std::visit(
+            [&](auto& store)
+            {
+              store.put(place.number, surface, binary.references.data() + place.range.first,
+                place.range.count);
+            },
+            blocks);
+          continue;
+        }
+        WideBvhNode wide = emptyNode();
+        for (std::uint32_t lane = 0; lane < node.childCount; ++lane)
+        {
+          const std::size_t child = node.firstChild + lane;
+          const BvhTreeNode& box = binary.nodes[kept[child].binary];
+          for (int k = 0; k < 3; ++k)
+          {
+            wide.planes[k][lane] = box.lower[k];
+            wide.planes[k + 3][lane] = box.upper[k];
+          }
+          wide.child[lane] = places[child].number;
+          wide.count[lane] = places[child].range.count;
+        }
+        tree.nodes[place.number] = wide;
+        tree.firstId[place.number] = node.firstChild;
       }
-      wide.child[lane] = nodeOf[node.firstChild + lane];
-      if (child.leaf)
-      {
-        const Range& range = ranges[child.binary];
-        wide.count[lane] = range.count;
-        progress.advance(range.count);
-        wide.child[lane] = std::visit(
-          [&](auto& store) { return appendLeaf(surface, binary, range, store); }, blocks);
-      }
-    }
-    tree.nodes.push_back(wide);
-    tree.firstId.push_back(node.firstChild);
-  }
+    });
   return tree;
 }
 

@@ -5,15 +5,15 @@
 
 #include "Accel/BuildProgress.h"
 #include "Accel/Kernel/LeafBlocks.h"
-#include "Accel/Structures/BvhNodes.h"
+#include "Accel/Structures/BvhTree.h"
 #include "Accel/Structures/WideBvhNodes.h"
 
 namespace lumitree
 {
 
 /// Collapses a binary tree over a surface that is not empty and writes its nodes and the blocks of
-/// its leaves.
-[[nodiscard]] WideBvhNodes fillWideBvh(const Surface& surface, const BvhNodes& binary, int leafSize,
+/// its leaves. The tree's references are used up.
+[[nodiscard]] WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize,
   LeafBlocks& blocks, BuildProgress& progress);
 
 } // namespace lumitree

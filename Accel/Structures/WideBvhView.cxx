@@ -76,4 +76,40 @@ HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks)
   return view;
 }
 
+BuildStatistics statisticsOf(const WideBvhNodes& tree, const Surface& surface)
+{
+  BuildStatistics s;
+  s.nodes = 1;
+  s.leaves = tree.nodes.empty() ? 1 : 0;
+  std::vector<int> depths(tree.nodes.size(), 0);
+  Box root;
+  double area = 0.0;
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
+  {
+    const WideBvhNode& node = tree.nodes[n];
+    for (int lane = 0; lane < wideArity && isUsed(node, lane); ++lane)
+    {
+      const Box box = boxOf(tree.frame, node, lane);
+      const bool leaf = node.count[lane] > 0;
+      const int depth = depths[n] + 1;
+      ++s.nodes;
+      s.leaves += leaf ? 1 : 0;
+      s.depth = std::max(s.depth, depth);
+      s.references += node.count[lane];
+      area += box.area() * (leaf ? node.count[lane] : 1);
+      if (!leaf)
+      {
+        depths[node.child[lane]] = depth;
+      }
+      if (n == 0)
+      {
+        root.extend(box);
+      }
+    }
+  }
+  s.sahCost = root.area() > 0.0 ? (root.area() + area) / root.area() : 0.0;
+  s.duplication = duplicationOf(s.references, surface);
+  return s;
+}
+
 } // namespace lumitree

@@ -3,9 +3,11 @@
 #ifndef Lumitree_Accel_Structures_WideBvhView_h
 #define Lumitree_Accel_Structures_WideBvhView_h
 
+#include "Accel/BuildOptions.h"
 #include "Accel/Hierarchy.h"
 #include "Accel/Kernel/LeafBlocks.h"
 #include "Accel/Structures/WideBvhNodes.h"
+#include "Accel/Surface.h"
 
 namespace lumitree
 {
@@ -13,6 +15,9 @@ namespace lumitree
 /// The tree as a flat list of nodes, with the boxes that its walk uses (outward in float, so a
 /// little larger than tight).
 [[nodiscard]] HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks);
+
+/// What describe says of the view, without making it.
+[[nodiscard]] BuildStatistics statisticsOf(const WideBvhNodes& tree, const Surface& surface);
 
 } // namespace lumitree
 

@@ -224,7 +224,7 @@ TEST(Jobs, BuildsTellTheirProgress)
         ASSERT_FALSE(told.fractions.empty());
         EXPECT_EQ(told.fractions.front(), 0.0);
         EXPECT_EQ(told.fractions.back(), 1.0);
-        EXPECT_GT(told.fractions.size(), options.structure == Structure::BruteForce ? 1u : 20u);
+        EXPECT_GT(told.fractions.size(), options.structure == Structure::BruteForce ? 1u : 8u);
       }
     }
   }

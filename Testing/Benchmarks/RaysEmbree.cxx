@@ -4,8 +4,11 @@
 
 #include "Accel/Reference/Embree/EmbreeVersions.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <atomic>
+#include <ctime>
 #include <stdexcept>
 
 namespace lumitree::benchmarks
@@ -137,6 +140,7 @@ struct RawEmbree::Internals
   std::atomic<std::ptrdiff_t> bytes{ 0 };
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = nullptr;
+  double commitSeconds = 0.0;
 };
 
 RawEmbree::RawEmbree(const Scene& scene, bool robust)
@@ -166,7 +170,17 @@ RawEmbree::RawEmbree(const Scene& scene, bool robust)
   rtcSetSceneFlags(this->internals_->scene, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcAttachGeometry(this->internals_->scene, geometry);
   rtcReleaseGeometry(geometry);
+  const bool serial =
+    tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
+  const auto now = [serial]
+  {
+    timespec time{};
+    clock_gettime(serial ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  const double start = now();
   rtcCommitScene(this->internals_->scene);
+  this->internals_->commitSeconds = now() - start;
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
   {
     throw std::runtime_error("Embree cannot build its tree");
@@ -198,6 +212,11 @@ void RawEmbree::any(const Rays& rays, unsigned int packet, std::uint8_t* hit) co
 std::size_t RawEmbree::memory() const
 {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(this->internals_->bytes, 0));
+}
+
+double RawEmbree::commitSeconds() const
+{
+  return this->internals_->commitSeconds;
 }
 
 std::string RawEmbree::version() const

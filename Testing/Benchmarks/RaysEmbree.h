@@ -27,6 +27,8 @@ public:
   ///@}
 
   [[nodiscard]] std::size_t memory() const;
+  [[nodiscard]] double commitSeconds()
+    const; ///< processor time of rtcCommitScene with one thread, else the clock's
   [[nodiscard]] std::string version() const;
 
 private:
