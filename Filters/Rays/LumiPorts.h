@@ -14,7 +14,7 @@ namespace lumitree::filters
 
 /// Lets an input port take any dataset and any composite as a whole. Were composites not named, VTK
 /// would run the filter block by block, and blocks would not see each other.
-void acceptAnyDataSet(vtkInformation* port);
+LUMITREEFILTERSRAYS_EXPORT void acceptAnyDataSet(vtkInformation* port);
 
 /// Puts a new object of the very class of `model` into an output, unless one is there. Returns 0
 /// without a model.
@@ -30,7 +30,8 @@ LUMITREEFILTERSRAYS_EXPORT void requestPiece(vtkInformation* input, int piece, i
 
 /// Asks a surface port for this rank's piece of everything, whatever piece of the outputs is asked
 /// for.
-void requestSurface(vtkInformation* surface, vtkMultiProcessController* controller);
+LUMITREEFILTERSRAYS_EXPORT void requestSurface(
+  vtkInformation* surface, vtkMultiProcessController* controller);
 
 /// Asks a ray port for what is asked of an output: an extent where `output` holds the rays
 /// themselves (sameGrid) and has one, else the piece.

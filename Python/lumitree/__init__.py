@@ -6,6 +6,7 @@
 `cast`, `Caster`, `Hits`    rays against a mesh: nearest hits, all hits, counts, occlusion
 `camera_rays`, `rays`       sets of rays as VTK data sets
 `hierarchy`                 the tree over a mesh, as boxes and statistics
+`surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
 `irradiance`                light on a mesh, with shadows and units
 `point_light`,              lights
 `directional_light`
@@ -37,6 +38,7 @@ from .radiometry import Irradiance, irradiance
 from .raycast import Caster, Hits, cast
 from .rayset import rays
 from .scenes import scene
+from .surfacereport import SurfaceReport, surface_report
 from .trees import Hierarchy, hierarchy
 
 __all__ = [
@@ -55,6 +57,7 @@ __all__ = [
     "ReceiverLocation",
     "Scene",
     "Structure",
+    "SurfaceReport",
     "camera_rays",
     "cast",
     "directional_light",
@@ -64,5 +67,6 @@ __all__ = [
     "rays",
     "read",
     "scene",
+    "surface_report",
     "write",
 ]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkFieldData
+from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkTable
 
 
 def floats(value: ArrayLike, argument: str) -> np.ndarray:
@@ -68,3 +68,18 @@ def from_vtk(data: vtkFieldData, name: str) -> np.ndarray:
     if array is None:
         raise KeyError(name)
     return vtk_to_numpy(array)
+
+
+def first_row(table: vtkTable) -> dict[str, str | int | float]:
+    """The first row of a table: plain values by the columns' names."""
+    row = {}
+    for column in range(table.GetNumberOfColumns()):
+        value = table.GetValue(0, column)
+        if value.IsString():
+            plain = value.ToString()
+        elif value.IsDouble() or value.IsFloat():
+            plain = value.ToDouble()
+        else:
+            plain = value.ToLongLong()
+        row[table.GetColumnName(column)] = plain
+    return row

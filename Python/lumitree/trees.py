@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet
 
-from .arrays import in_range
+from .arrays import first_row, in_range
 from .choices import Structure
 from .errors import run
 from .structures import set_structure
@@ -68,18 +68,4 @@ def hierarchy(
         tree.SetRaysData(rays)
     run(tree, progress)
     levels, statistics = (tree.GetOutputDataObject(port) for port in (0, 1))
-    return Hierarchy(levels, _first_row(statistics), tree)
-
-
-def _first_row(table: vtkTable) -> dict[str, str | int | float]:
-    row = {}
-    for column in range(table.GetNumberOfColumns()):
-        value = table.GetValue(0, column)
-        if value.IsString():
-            plain = value.ToString()
-        elif value.IsDouble() or value.IsFloat():
-            plain = value.ToDouble()
-        else:
-            plain = value.ToLongLong()
-        row[table.GetColumnName(column)] = plain
-    return row
+    return Hierarchy(levels, first_row(statistics), tree)

@@ -16,6 +16,7 @@ PROXIES = {
         "LumiIrradiance",
         "LumiRayCast",
         "LumiSurfaceRays",
+        "LumiSurfaceReport",
     ],
 }
 IRRADIANCE = "Irradiance [W/m^2]"
