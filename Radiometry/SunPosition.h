@@ -39,12 +39,12 @@ struct SunPosition
   double distance = 1.0;   ///< of the earth from the sun, astronomical units
 };
 
-/// Within 0.003° in 1950 … 2050 (0.01° in 1800 … 2200): Meeus, "Astronomical Algorithms", chapter
-/// 25, with the terms of Venus, Jupiter and the moon of his "Astronomical Formulae for
-/// Calculators", chapter 18; nutation and sidereal time as there; parallax; refraction as NREL's
-/// SPA has it (Reda & Andreas, Solar Energy 76, 2004, eq. 42). ΔT by Espenak & Meeus's polynomials,
-/// roughly. Throws std::invalid_argument for a month that is none, values that are not finite, and
-/// a latitude or a year (−2000 … 6000) out of range.
+/// Within 0.01° in 1800 … 2200: Meeus, "Astronomical Algorithms", chapter 25, whose own accuracy that
+/// is, with the terms of Venus, Jupiter and the moon of his "Astronomical Formulae for Calculators",
+/// chapter 18, which take it further (0.0003° from NREL's SPA at that one's worked example); nutation
+/// and sidereal time as there; parallax; refraction as the SPA has it (Reda & Andreas, Solar Energy
+/// 76, 2004, eq. 42). Throws std::invalid_argument for a month that is none, values that are not
+/// finite, and a latitude or a year (−2000 … 6000) out of range.
 [[nodiscard]] LUMITREE_RADIOMETRY_EXPORT SunPosition sunPosition(
   const Moment& moment, const Site& site);
 
