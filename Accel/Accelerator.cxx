@@ -14,6 +14,12 @@ namespace lumitree
 namespace
 {
 
+[[noreturn]] void refuse(const Accelerator& accelerator, QueryKind query)
+{
+  throw UnsupportedQuery("structure '" + std::string(name(accelerator.options().structure)) +
+    "' does not answer the query '" + std::string(name(query)) + "'");
+}
+
 /// Below this many primitives a tree costs more than it saves.
 constexpr std::size_t bruteForceLimit = 8;
 
@@ -57,6 +63,16 @@ Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOpti
 }
 
 Accelerator::~Accelerator() = default;
+
+QueryReport Accelerator::ties(const RayBatch&, AllHits&, const QueryOptions&) const
+{
+  refuse(*this, QueryKind::Ties);
+}
+
+QueryReport Accelerator::crossings(const RayBatch&, std::uint32_t*, const QueryOptions&) const
+{
+  refuse(*this, QueryKind::Crossings);
+}
 
 void Accelerator::overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const
 {

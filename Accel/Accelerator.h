@@ -74,9 +74,28 @@ public:
   virtual QueryReport all(
     const RayBatch& rays, AllHits& hits, const QueryOptions& options = {}) const = 0;
 
+  /// Every hit of each ray at its least t, ascending by primitive: the closest hit and all that tie
+  /// with it. Exact compares the exact t, and all ties of a ray report the same t; the other
+  /// precisions compare what they computed.
+  virtual QueryReport ties(
+    const RayBatch& rays, AllHits& hits, const QueryOptions& options = {}) const;
+
   /// How many hits each ray has: of a triangle one, of a quadric up to two.
   virtual QueryReport count(
     const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options = {}) const = 0;
+
+  /// How many times each ray passes through the surface. An edge or a vertex of a closed surface
+  /// counts as one passage, two (or none) where the ray only touches, on whatever side; this also
+  /// of surfaces whose triangles share no points (STL). So with tMax infinite the count is odd for
+  /// an origin inside a closed surface and even outside. Only Exact keeps that; with another
+  /// precision, and from structures that have no exact numbers, UnsupportedQuery is thrown.
+  ///
+  /// What is counted are the crossings of the ray moved by (e, e^2, e^3), for every small enough
+  /// e > 0: nothing then meets an edge, or ends on a triangle, or lies in its plane. An origin on
+  /// the surface is as far inside as the point moved by that, in every direction; consecutive
+  /// segments of one line add up.
+  virtual QueryReport crossings(
+    const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options = {}) const;
 
   /// Primitives that may meet the region, which is closed: of those that can be hit, all but those
   /// that lie wholly outside one of its half-spaces by more than rounding could account for (some

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, bvhBuildCount> bvhBuildNames = { "longest
   "binned_sah" };
 constexpr std::array<std::string_view, kdBuildCount> kdBuildNames = { "spatial_median", "sah" };
 constexpr std::array<std::string_view, queryKindCount> queryNames = { "closest", "any", "all",
-  "count" };
+  "count", "crossings", "ties" };
 
 template <std::size_t N>
 std::string_view nameOf(const std::array<std::string_view, N>& names, int value)

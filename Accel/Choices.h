@@ -64,9 +64,11 @@ enum class QueryKind : int
   Closest = 0,
   Any = 1,
   All = 2,
-  Count = 3
+  Count = 3,
+  Crossings = 4, ///< passages through the surface: odd from inside a closed one
+  Ties = 5       ///< every hit at the least t
 };
-inline constexpr int queryKindCount = 4;
+inline constexpr int queryKindCount = 6;
 
 /// Snake-case name ("brute_force"), as used in Python, on command lines and in messages.
 ///@{

@@ -26,8 +26,8 @@ struct Hit
 };
 
 /// Every hit of a batch: those of ray i are hits[offsets[i]] … hits[offsets[i + 1] - 1], ordered by
-/// (t, primitive). Exact orders by the exact t; the t reported of hits that nearly coincide is off
-/// by up to 2^-26 of it and so may descend by that much from one to the next.
+/// (t, primitive). Exact orders by the exact t, of which the t reported is a rounding. It never
+/// descends from one hit of a ray to the next.
 struct AllHits
 {
   std::vector<std::uint64_t> offsets; ///< rays + 1

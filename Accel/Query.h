@@ -36,6 +36,9 @@ struct QueryOptions
 {
   Precision precision = Precision::Fast;
   int threads = 0; ///< 0: as many as oneTBB gives
+  /// Exact: t is the double nearest to the exact t, of two equally near the even one, and not only
+  /// within one float ulp of it. With another precision the query is refused (UnsupportedQuery).
+  bool roundedT = false;
   JobControl* control = nullptr;
   RayCounters* perRay = nullptr;    ///< one per ray, overwritten; null: not counted
   std::uint64_t* perNode = nullptr; ///< visits, one per node of hierarchy(), added to; or null
@@ -45,8 +48,12 @@ struct QueryOptions
 struct QueryReport
 {
   std::uint64_t invalidRays = 0; ///< rays that are not valid (see isValid): they hit nothing
-  std::uint64_t exactTests = 0;  ///< candidates that the floating-point filter could not decide
-  bool completed = true;         ///< false when stopped: answers of rays not reached are misses
+  /// Questions that the floating-point filter could not decide: whether a candidate is hit, in
+  /// which order two are, on which side of a limit. Watertight takes such candidates for hits,
+  /// Exact asks exact arithmetic.
+  std::uint64_t exactTests = 0;
+  std::uint64_t exactParameters = 0; ///< reported t that exact arithmetic rounded
+  bool completed = true;             ///< false when stopped: answers of rays not reached are misses
 };
 
 } // namespace lumitree

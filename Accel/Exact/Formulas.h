@@ -74,6 +74,37 @@ bool meets(const S& s)
   return oneSided && (u != 0 || v != 0 || w != 0);
 }
 
+/// Sign of the first component that is not 0: of the product with (e, e^2, e^3).
+template <class Number>
+int firstSign(const std::array<Number, 3>& a)
+{
+  const int x = a[0].sign();
+  const int y = x != 0 ? x : a[1].sign();
+  return y != 0 ? y : a[2].sign();
+}
+
+/// Sign of the edge function d · (Q x P), P and Q less the origin, after the origin is moved by
+/// m = (e, e^2, e^3). The move adds m · ((Q - P) x d), so its first component that is not 0 decides
+/// where the edge function is 0. 0 only for an edge parallel to the line.
+template <class S, class Point>
+int movedEdgeSign(const S& s, const Point& p, const Point& q)
+{
+  using Number = typename S::Number;
+  const auto d = lift<Number>(s.direction);
+  const int sign = dot(cross(between<Number>(q, s.origin), between<Number>(p, s.origin)), d).sign();
+  return sign != 0 ? sign : firstSign(cross(between<Number>(q, p), d));
+}
+
+/// Whether the moved line meets the triangle. If it does, then inside. The edge functions' sum does
+/// not move: it is 0 for a line parallel to the plane, and then they are not of one sign.
+template <class S>
+bool meetsMoved(const S& s)
+{
+  const auto& t = s.triangles[0];
+  const int u = movedEdgeSign(s, t[1], t[2]);
+  return u != 0 && movedEdgeSign(s, t[2], t[0]) == u && movedEdgeSign(s, t[0], t[1]) == u;
+}
+
 /// over / under
 template <class Number>
 struct Fraction
@@ -92,6 +123,16 @@ auto parameter(const S& s, std::size_t i)
   using Product = decltype(dot(normal, lift<Number>(s.direction)));
   return Fraction<Product>{ dot(normal, between<Number>(t[0], s.origin)),
     dot(normal, lift<Number>(s.direction)) };
+}
+
+/// Which way t moves with the line: t = n · (V - o) / (n · d), less n · m / (n · d).
+template <class S>
+int signOfMove(const S& s)
+{
+  using Number = typename S::Number;
+  const auto& t = s.triangles[0];
+  const auto normal = cross(between<Number>(t[1], t[0]), between<Number>(t[2], t[0]));
+  return -firstSign(normal) * dot(normal, lift<Number>(s.direction)).sign();
 }
 
 /// Sign of (t of triangle 0 - t of triangle 1).

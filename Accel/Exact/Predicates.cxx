@@ -14,6 +14,12 @@ bool lineMeetsTriangle(const Ray& ray, const std::array<Vec3, 3>& t)
     Question<1>{ ray, { &t } }, [](const auto& scene) { return std::optional(meets(scene)); });
 }
 
+bool movedLineMeetsTriangle(const Ray& ray, const std::array<Vec3, 3>& t)
+{
+  return answerInStages(
+    Question<1>{ ray, { &t } }, [](const auto& scene) { return std::optional(meetsMoved(scene)); });
+}
+
 int compareCrossing(const Ray& ray, const std::array<Vec3, 3>& t, double limit)
 {
   if (std::isinf(limit))
@@ -22,6 +28,16 @@ int compareCrossing(const Ray& ray, const std::array<Vec3, 3>& t, double limit)
   }
   return answerInStages(
     Question<1>{ ray, { &t } }, [&](const auto& scene) { return compareToLimit(scene, limit); });
+}
+
+int compareMovedCrossing(const Ray& ray, const std::array<Vec3, 3>& t, double limit)
+{
+  if (const int sign = compareCrossing(ray, t, limit); sign != 0)
+  {
+    return sign;
+  }
+  return answerInStages(
+    Question<1>{ ray, { &t } }, [](const auto& scene) { return std::optional(signOfMove(scene)); });
 }
 
 int compareCrossings(const Ray& ray, const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b)

@@ -19,9 +19,19 @@ namespace lumitree::exact
 [[nodiscard]] LUMITREE_ACCEL_EXPORT bool lineMeetsTriangle(
   const Ray& ray, const std::array<Vec3, 3>& triangle);
 
+/// The same of the line moved by (e, e^2, e^3), for every small enough e > 0. Two triangles that
+/// share an edge, by the coordinates of its ends, answer for it with opposite signs: of a closed
+/// surface around a point of the line, one triangle says yes where the line passes through.
+[[nodiscard]] LUMITREE_ACCEL_EXPORT bool movedLineMeetsTriangle(
+  const Ray& ray, const std::array<Vec3, 3>& triangle);
+
 /// Sign of (t - limit), t where the line crosses the triangle's plane, which it does. The limit may
 /// be infinite.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT int compareCrossing(
+  const Ray& ray, const std::array<Vec3, 3>& triangle, double limit);
+
+/// The same of the line moved by (e, e^2, e^3): never 0.
+[[nodiscard]] LUMITREE_ACCEL_EXPORT int compareMovedCrossing(
   const Ray& ray, const std::array<Vec3, 3>& triangle, double limit);
 
 /// Sign of (t of a - t of b), where the line crosses both planes.

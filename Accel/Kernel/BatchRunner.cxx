@@ -85,6 +85,7 @@ public:
   {
     report.invalidRays += this->invalid_;
     report.exactTests += this->state_.exactTests;
+    report.exactParameters += this->state_.exactParameters;
     for (std::size_t n = 0; n < this->visits_.size(); ++n)
     {
       this->options_.perNode[n] += this->visits_[n];
@@ -126,6 +127,12 @@ BatchRunner::BatchRunner(const Surface& surface, const void* structure, Structur
 QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
   const std::function<void(std::size_t, std::size_t, Chunk&)>& body) const
 {
+  if (options.roundedT && options.precision != Precision::Exact)
+  {
+    throw UnsupportedQuery("t is rounded from its exact value, which precision '" +
+      std::string(name(options.precision)) + "' does not know, only '" +
+      std::string(name(Precision::Exact)) + "'");
+  }
   // Visits are counted per chunk and then added, so chunks are large where the structure has many
   // nodes.
   const std::size_t chunk =
@@ -153,7 +160,7 @@ QueryReport BatchRunner::closest(const RayBatch& rays, Hit* hits, const QueryOpt
       {
         if (work.trace(i) && work.state().best.primitive != noPrimitive)
         {
-          hits[i] = finish(work.state(), work.state().best, options.precision);
+          hits[i] = finish(work.state(), work.state().best, options);
         }
       }
     });
@@ -176,8 +183,26 @@ QueryReport BatchRunner::any(
 QueryReport BatchRunner::count(
   const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const
 {
+  return this->numbers(rays, QueryKind::Count, counts, options);
+}
+
+QueryReport BatchRunner::crossings(
+  const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const
+{
+  if (options.precision != Precision::Exact)
+  {
+    throw UnsupportedQuery("the query '" + std::string(name(QueryKind::Crossings)) +
+      "' is answered with precision '" + std::string(name(Precision::Exact)) + "' only, not '" +
+      std::string(name(options.precision)) + "'");
+  }
+  return this->numbers(rays, QueryKind::Crossings, counts, options);
+}
+
+QueryReport BatchRunner::numbers(
+  const RayBatch& rays, QueryKind query, std::uint32_t* counts, const QueryOptions& options) const
+{
   std::fill_n(counts, rays.size, std::uint32_t{ 0 });
-  return this->run(rays, QueryKind::Count, options,
+  return this->run(rays, query, options,
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -193,6 +218,17 @@ QueryReport BatchRunner::count(
 
 QueryReport BatchRunner::all(const RayBatch& rays, AllHits& out, const QueryOptions& options) const
 {
+  return this->lists(rays, QueryKind::All, out, options);
+}
+
+QueryReport BatchRunner::ties(const RayBatch& rays, AllHits& out, const QueryOptions& options) const
+{
+  return this->lists(rays, QueryKind::Ties, out, options);
+}
+
+QueryReport BatchRunner::lists(
+  const RayBatch& rays, QueryKind query, AllHits& out, const QueryOptions& options) const
+{
   // Each chunk keeps its hits until every ray's number of hits, and so its place, is known.
   struct Part
   {
@@ -202,7 +238,7 @@ QueryReport BatchRunner::all(const RayBatch& rays, AllHits& out, const QueryOpti
   std::vector<Part> parts;
   std::mutex mutex;
   out.offsets.assign(rays.size + 1, 0);
-  const QueryReport report = this->run(rays, QueryKind::All, options,
+  const QueryReport report = this->run(rays, query, options,
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       Part part{ begin, {} };
@@ -210,12 +246,9 @@ QueryReport BatchRunner::all(const RayBatch& rays, AllHits& out, const QueryOpti
       {
         if (work.trace(i))
         {
-          arrange(work.state(), options.precision);
+          arrange(work.state(), query, options.precision);
           out.offsets[i + 1] = work.state().found.size();
-          for (const Candidate& c : work.state().found)
-          {
-            part.hits.push_back(finish(work.state(), c, options.precision));
-          }
+          finish(work.state(), query, options, part.hits);
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);

@@ -44,10 +44,21 @@ public:
   QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const;
   QueryReport any(const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const;
   QueryReport all(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const;
+  QueryReport ties(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const;
   QueryReport count(const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const;
+  QueryReport crossings(
+    const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const;
 
 private:
   class Chunk;
+
+  /// All or Ties.
+  QueryReport lists(
+    const RayBatch& rays, QueryKind query, AllHits& hits, const QueryOptions& options) const;
+
+  /// Count or Crossings.
+  QueryReport numbers(const RayBatch& rays, QueryKind query, std::uint32_t* counts,
+    const QueryOptions& options) const;
 
   /// Calls body for each chunk of rays and gathers the chunks' reports.
   QueryReport run(const RayBatch& rays, QueryKind query, const QueryOptions& options,

@@ -8,20 +8,52 @@
 namespace lumitree
 {
 
-void arrange(RayState& state, Precision precision)
+namespace
+{
+
+template <class PrecisionPolicy>
+void arrangeFor(RayState& state, QueryKind query)
+{
+  if (query == QueryKind::Ties)
+  {
+    keepLeast<PrecisionPolicy>(state);
+  }
+  else
+  {
+    arrange<PrecisionPolicy>(state);
+  }
+}
+
+} // namespace
+
+void arrange(RayState& state, QueryKind query, Precision precision)
 {
   switch (precision)
   {
     case Precision::Fast:
-      return arrange<FastPrecision>(state);
+      return arrangeFor<FastPrecision>(state, query);
     case Precision::Watertight:
-      return arrange<WatertightPrecision>(state);
+      return arrangeFor<WatertightPrecision>(state, query);
     default:
-      return arrange<ExactPrecision>(state);
+      return arrangeFor<ExactPrecision>(state, query);
   }
 }
 
-Hit finish(const RayState& state, const Candidate& c, Precision precision)
+void finish(RayState& state, QueryKind query, const QueryOptions& options, std::vector<Hit>& hits)
+{
+  const bool sameT = query == QueryKind::Ties && options.precision == Precision::Exact;
+  for (std::size_t i = 0; i < state.found.size(); ++i)
+  {
+    Hit hit = finish(state, state.found[i], options);
+    if (i > 0)
+    {
+      hit.t = sameT ? hits.back().t : std::max(hit.t, hits.back().t);
+    }
+    hits.push_back(hit);
+  }
+}
+
+Hit finish(RayState& state, const Candidate& c, const QueryOptions& options)
 {
   Hit hit;
   hit.primitive = c.primitive;
@@ -30,8 +62,10 @@ Hit finish(const RayState& state, const Candidate& c, Precision precision)
   hit.v = c.v;
   // Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to
   // t.
-  if (precision == Precision::Exact && c.tHigh - c.tLow > 0x1p-26 * std::fabs(c.t))
+  if (options.precision == Precision::Exact &&
+    (options.roundedT || c.tHigh - c.tLow > 0x1p-26 * std::fabs(c.t)))
   {
+    ++state.exactParameters;
     hit.t = state.surface.isQuadric(c.primitive)
       ? nearestParameter(state, c)
       : exact::crossingParameter(state.ray, state.surface.vertices(c.primitive));

@@ -5,16 +5,23 @@
 
 #include "Accel/Choices.h"
 #include "Accel/Kernel/RayState.h"
+#include "Accel/Query.h"
 
 namespace lumitree
 {
 
-/// Orders what All or Count collected, by the precision's order, duplicates dropped.
-void arrange(RayState& state, Precision precision);
+/// Puts what All or Ties collected in the precision's order, duplicates dropped. Of Ties, only what
+/// is at the least t stays.
+void arrange(RayState& state, QueryKind query, Precision precision);
 
 /// The hit that a candidate is: a pure function of ray and primitive, the same bits from every
 /// structure.
-[[nodiscard]] Hit finish(const RayState& state, const Candidate& candidate, Precision precision);
+[[nodiscard]] Hit finish(RayState& state, const Candidate& candidate, const QueryOptions& options);
+
+/// Appends the hits that All or Ties found, in order. Where t is not the exact one's rounding, it
+/// may descend between two that nearly coincide: then the greater is reported again, which is as
+/// near to the exact t, since that does not descend. Exact ties report the first one's t.
+void finish(RayState& state, QueryKind query, const QueryOptions& options, std::vector<Hit>& hits);
 
 } // namespace lumitree
 

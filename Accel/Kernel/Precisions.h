@@ -36,6 +36,12 @@ struct OrderByKey
     return met;
   }
 
+  /// Sign of (t of a - t of b).
+  static int compare(RayState&, const Candidate& a, const Candidate& b)
+  {
+    return a.key < b.key ? -1 : (a.key > b.key ? 1 : 0);
+  }
+
   static bool before(RayState&, const Candidate& a, const Candidate& b)
   {
     return std::tie(a.key, a.primitive, a.root) < std::tie(b.key, b.primitive, b.root);
@@ -100,21 +106,26 @@ struct ExactPrecision
       atMost(state, vertices, x);
   }
 
-  static bool before(RayState& state, const Candidate& a, const Candidate& b)
+  static int compare(RayState& state, const Candidate& a, const Candidate& b)
   {
     if (a.tHigh < b.tLow)
     {
-      return true;
+      return -1;
     }
     if (b.tHigh < a.tLow)
     {
-      return false;
+      return 1;
     }
     ++state.exactTests;
     const Surface& s = state.surface;
-    const int order = s.isQuadric(a.primitive) || s.isQuadric(b.primitive)
+    return s.isQuadric(a.primitive) || s.isQuadric(b.primitive)
       ? compareExactly(state, a, b)
       : exact::compareCrossings(state.ray, s.vertices(a.primitive), s.vertices(b.primitive));
+  }
+
+  static bool before(RayState& state, const Candidate& a, const Candidate& b)
+  {
+    const int order = compare(state, a, b);
     return order < 0 || (order == 0 && a.primitive < b.primitive);
   }
 
@@ -147,6 +158,48 @@ private:
     }
     ++state.exactTests;
     return exact::compareCrossing(state.ray, vertices, state.ray.tMax) <= 0;
+  }
+};
+
+/// Whether the ray moved by (e, e^2, e^3), e > 0 and as small as need be, passes through the
+/// triangle. It then does so inside, between the limits; if so, the ray itself hits the triangle by
+/// the definition, so structures visit it.
+struct ExactPassage
+{
+  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
+  {
+    const Crossing x = crossing(state.filter, vertices);
+    if (!surelyHit(x.edges))
+    {
+      if (surelyMissed(x.edges))
+      {
+        return false;
+      }
+      ++state.exactTests;
+      if (!exact::movedLineMeetsTriangle(state.ray, vertices))
+      {
+        return false;
+      }
+    }
+    c.take(x);
+    c.key = x.t;
+    return std::isfinite(x.t) && isBeyond(state, vertices, x, state.ray.tMin) &&
+      !isBeyond(state, vertices, x, state.ray.tMax);
+  }
+
+private:
+  static bool isBeyond(RayState& state, const Corners& vertices, const Crossing& x, double limit)
+  {
+    if (x.tLow > limit)
+    {
+      return true;
+    }
+    if (x.tHigh < limit)
+    {
+      return false;
+    }
+    ++state.exactTests;
+    return exact::compareMovedCrossing(state.ray, vertices, limit) > 0;
   }
 };
 

@@ -43,8 +43,29 @@ struct AnyQuery
   }
 };
 
-/// All and Count: every candidate is kept; a structure that holds a primitive in several leaves
-/// offers it several times.
+/// Keeps what is at the least t.
+struct TiesQuery
+{
+  static constexpr bool everyRoot = false;
+
+  template <class Precision>
+  static void offer(RayState& state, const Candidate& c)
+  {
+    const int order = state.found.empty() ? -1 : Precision::compare(state, c, state.found.front());
+    if (order < 0)
+    {
+      state.found.clear();
+      state.tStop = std::min(state.ray.tMax, Precision::stopAt(c));
+    }
+    if (order <= 0)
+    {
+      state.found.push_back(c);
+    }
+  }
+};
+
+/// All, Count and Crossings: every candidate is kept; a structure that holds a primitive in several
+/// leaves offers it several times.
 struct CollectQuery
 {
   static constexpr bool everyRoot = true;
@@ -77,6 +98,25 @@ void arrange(RayState& state)
   dropDuplicates(state);
   std::sort(state.found.begin(), state.found.end(),
     [&](const Candidate& a, const Candidate& b) { return Precision::before(state, a, b); });
+}
+
+/// Drops what is not at the least t, and duplicates; ascending by primitive.
+template <class Precision>
+void keepLeast(RayState& state)
+{
+  dropDuplicates(state);
+  auto& found = state.found;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const int order = kept == 0 ? -1 : Precision::compare(state, found[i], found[0]);
+    kept = order < 0 ? 0 : kept;
+    if (order <= 0)
+    {
+      found[kept++] = found[i];
+    }
+  }
+  found.resize(kept);
 }
 
 } // namespace lumitree

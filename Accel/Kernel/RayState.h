@@ -78,8 +78,12 @@ struct RayState
 
   double tStop = 0.0;           ///< nothing beyond matters
   Candidate best;               ///< Closest, Any
-  std::vector<Candidate> found; ///< All, Count
-  std::uint64_t exactTests = 0; ///< candidates the filter could not decide, over all rays so far
+  std::vector<Candidate> found; ///< All, Count, Crossings, Ties
+  /// What the filter could not decide, and t that exact arithmetic rounded, over all rays so far.
+  ///@{
+  std::uint64_t exactTests = 0;
+  std::uint64_t exactParameters = 0;
+  ///@}
 };
 
 } // namespace lumitree

@@ -56,6 +56,8 @@ SettleFunction forQuery(QueryKind query, bool quadrics)
       return choose<PrecisionPolicy, ClosestQuery>(quadrics);
     case QueryKind::Any:
       return choose<PrecisionPolicy, AnyQuery>(quadrics);
+    case QueryKind::Ties:
+      return choose<PrecisionPolicy, TiesQuery>(quadrics);
     default:
       return choose<PrecisionPolicy, CollectQuery>(quadrics);
   }
@@ -65,6 +67,10 @@ SettleFunction forQuery(QueryKind query, bool quadrics)
 
 SettleFunction settleFunction(Precision precision, QueryKind query, bool quadrics)
 {
+  if (query == QueryKind::Crossings)
+  {
+    return settleCandidate<ExactPassage, CollectQuery>;
+  }
   switch (precision)
   {
     case Precision::Fast:

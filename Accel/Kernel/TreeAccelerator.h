@@ -93,6 +93,17 @@ public:
     return this->runner().count(rays, counts, options);
   }
 
+  QueryReport ties(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const override
+  {
+    return this->runner().ties(rays, hits, options);
+  }
+
+  QueryReport crossings(
+    const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const override
+  {
+    return this->runner().crossings(rays, counts, options);
+  }
+
   [[nodiscard]] HierarchyView hierarchy() const override
   {
     return this->tree_->view(this->blocks_);

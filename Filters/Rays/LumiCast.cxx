@@ -11,7 +11,7 @@ Cast::Cast(QueryKind query, const Accelerator& accelerator, const RayBatch& rays
   , size_(rays.size)
   , nearest_(query == QueryKind::Closest ? rays.size : 0)
   , any_(query == QueryKind::Any ? rays.size : 0)
-  , counts_(query == QueryKind::Count ? rays.size : 0)
+  , counts_(query == QueryKind::Count || query == QueryKind::Crossings ? rays.size : 0)
 {
   switch (query)
   {
@@ -27,6 +27,12 @@ Cast::Cast(QueryKind query, const Accelerator& accelerator, const RayBatch& rays
     case QueryKind::Count:
       this->report_ = accelerator.count(rays, this->counts_.data(), options);
       break;
+    case QueryKind::Crossings:
+      this->report_ = accelerator.crossings(rays, this->counts_.data(), options);
+      break;
+    case QueryKind::Ties:
+      this->report_ = accelerator.ties(rays, this->all_, options);
+      break;
   }
 }
 
@@ -39,8 +45,10 @@ vtkIdType Cast::count(std::size_t ray) const
     case QueryKind::Any:
       return this->any_[ray];
     case QueryKind::Count:
+    case QueryKind::Crossings:
       return static_cast<vtkIdType>(this->counts_[ray]);
     case QueryKind::All:
+    case QueryKind::Ties:
       break;
   }
   return static_cast<vtkIdType>(this->all_.offsets[ray + 1] - this->all_.offsets[ray]);

@@ -47,7 +47,7 @@ private:
   T* values_;
 };
 
-/// What a batch of rays met, in one form for all four queries.
+/// What a batch of rays met, in one form for all queries.
 class Cast
 {
 public:
@@ -58,10 +58,11 @@ public:
   [[nodiscard]] std::size_t size() const { return this->size_; }
   [[nodiscard]] const QueryReport& report() const { return this->report_; }
 
-  /// Whether the hits themselves are known: of Closest and All.
+  /// Whether the hits themselves are known: of Closest, All and Ties.
   [[nodiscard]] bool givesHits() const
   {
-    return this->query_ == QueryKind::Closest || this->query_ == QueryKind::All;
+    return this->query_ == QueryKind::Closest || this->query_ == QueryKind::All ||
+      this->query_ == QueryKind::Ties;
   }
 
   /// How many hits that ray has; of Closest and Any 0 or 1.

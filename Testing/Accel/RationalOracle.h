@@ -56,9 +56,19 @@ struct RationalCrossing
   bool inside = false; ///< in the closed triangle, and not parallel
 
   RationalCrossing(const Ray& ray, const std::array<Vec3, 3>& triangle)
+    : RationalCrossing(ray, triangle, RationalVector{})
+  {
+  }
+
+  /// The same with the origin moved.
+  RationalCrossing(const Ray& ray, const std::array<Vec3, 3>& triangle, const RationalVector& move)
   {
     const RationalVector d = rational(ray.direction);
-    const RationalVector o = rational(ray.origin);
+    RationalVector o = rational(ray.origin);
+    for (int k = 0; k < 3; ++k)
+    {
+      o[k] += move[k];
+    }
     const RationalVector a = difference(rational(triangle[0]), o);
     const RationalVector b = difference(rational(triangle[1]), o);
     const RationalVector c = difference(rational(triangle[2]), o);

@@ -35,6 +35,8 @@ TEST(Choices, NamesRoundTripAndAreDistinct)
   }
   EXPECT_EQ(name(QueryKind::Closest), "closest");
   EXPECT_EQ(name(QueryKind::Count), "count");
+  EXPECT_EQ(name(QueryKind::Crossings), "crossings");
+  EXPECT_EQ(name(QueryKind::Ties), "ties");
   EXPECT_EQ(name(BvhBuild::LongestAxisMedian), "longest_axis_median");
 }
 

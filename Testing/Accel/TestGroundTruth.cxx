@@ -160,6 +160,33 @@ TEST_F(GroundTruth, DegenerateRaysHitExactlyWhatTheyShould)
   }
 }
 
+TEST_F(GroundTruth, TiesAndRoundedTAreTheSame)
+{
+  std::size_t several = 0;
+  for (const Scene& scene : scenes())
+  {
+    const Rays rays = degenerateRays(*scene.surface, 130);
+    AllHits truth;
+    cgal(scene.surface)->ties(rays.batch(), truth, with(Precision::Exact));
+    several += truth.hits.size() - rays.size();
+    QueryOptions options = with(Precision::Exact);
+    options.roundedT = true;
+    for (const auto& accelerator : accelerators(scene.surface))
+    {
+      SCOPED_TRACE(scene.name + ", " + label(accelerator->options()));
+      AllHits ties;
+      accelerator->ties(rays.batch(), ties, options);
+      ASSERT_EQ(ties.offsets, truth.offsets);
+      for (std::size_t h = 0; h < truth.hits.size(); ++h)
+      {
+        ASSERT_EQ(ties.hits[h].primitive, truth.hits[h].primitive);
+        ASSERT_EQ(ties.hits[h].t, truth.hits[h].t);
+      }
+    }
+  }
+  EXPECT_GT(several, 100u);
+}
+
 TEST_F(GroundTruth, OrdinaryRaysHitExactlyWhatTheyShould)
 {
   for (const Scene& scene : scenes())

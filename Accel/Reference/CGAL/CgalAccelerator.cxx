@@ -81,20 +81,12 @@ public:
 
   QueryReport all(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const override
   {
-    hits.offsets.assign(rays.size + 1, 0);
-    hits.hits.clear();
-    // Rays come in order, on one thread.
-    const QueryReport report = this->run(rays, options,
-      [&](std::size_t i, const std::vector<Hit>& found)
-      {
-        hits.offsets[i + 1] = found.size();
-        hits.hits.insert(hits.hits.end(), found.begin(), found.end());
-      });
-    for (std::size_t i = 0; i < rays.size; ++i)
-    {
-      hits.offsets[i + 1] += hits.offsets[i];
-    }
-    return report;
+    return this->lists(rays, hits, options, &CgalTree::all);
+  }
+
+  QueryReport ties(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const override
+  {
+    return this->lists(rays, hits, options, &CgalTree::ties);
   }
 
   QueryReport count(
@@ -120,14 +112,44 @@ public:
   }
 
 private:
+  using Search = void (CgalTree::*)(
+    const Ray&, const PrimitiveId*, const PrimitiveId*, std::vector<Hit>&) const;
+
+  QueryReport lists(
+    const RayBatch& rays, AllHits& hits, const QueryOptions& options, Search search) const
+  {
+    hits.offsets.assign(rays.size + 1, 0);
+    hits.hits.clear();
+    // Rays come in order, on one thread.
+    const QueryReport report = this->run(
+      rays, options,
+      [&](std::size_t i, const std::vector<Hit>& found)
+      {
+        hits.offsets[i + 1] = found.size();
+        hits.hits.insert(hits.hits.end(), found.begin(), found.end());
+      },
+      search);
+    for (std::size_t i = 0; i < rays.size; ++i)
+    {
+      hits.offsets[i + 1] += hits.offsets[i];
+    }
+    return report;
+  }
+
   template <class Answer>
-  QueryReport run(const RayBatch& rays, const QueryOptions& options, const Answer& answer) const
+  QueryReport run(const RayBatch& rays, const QueryOptions& options, const Answer& answer,
+    Search search = &CgalTree::all) const
   {
     if (!this->supports(options.precision))
     {
       throw UnsupportedQuery("structure '" + std::string(name(this->options().structure)) +
         "' answers with precision '" + std::string(name(this->precision_)) + "' only, not '" +
         std::string(name(options.precision)) + "'");
+    }
+    if (options.roundedT && this->precision_ != Precision::Exact)
+    {
+      throw UnsupportedQuery("structure '" + std::string(name(this->options().structure)) +
+        "' does not know t exactly, from which it is to be rounded");
     }
     const std::lock_guard<std::mutex> lock(cgalMutex());
     QueryReport report;
@@ -141,7 +163,7 @@ private:
           found.clear();
           if (isValid(ray))
           {
-            this->trace(rays.skip, i, ray, found);
+            this->trace(rays.skip, i, ray, found, search);
           }
           else
           {
@@ -157,7 +179,8 @@ private:
     return report;
   }
 
-  void trace(const SkipSets& skip, std::size_t i, const Ray& ray, std::vector<Hit>& found) const
+  void trace(const SkipSets& skip, std::size_t i, const Ray& ray, std::vector<Hit>& found,
+    Search search) const
   {
     const PrimitiveId* first = nullptr;
     const PrimitiveId* last = nullptr;
@@ -167,7 +190,7 @@ private:
       first = skip.primitives + skip.offsets[set];
       last = skip.primitives + skip.offsets[set + 1];
     }
-    this->tree_->all(ray, first, last, found);
+    ((*this->tree_).*search)(ray, first, last, found);
   }
 
   Precision precision_;

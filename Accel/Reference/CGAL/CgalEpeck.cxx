@@ -113,7 +113,25 @@ public:
   }
 
   void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
-    std::vector<Hit>& hits) const override;
+    std::vector<Hit>& hits) const override
+  {
+    hits.clear();
+    for (const ExactHit& hit : this->exactHits(ray, skipFirst, skipLast))
+    {
+      hits.push_back(hit.hit(ray));
+    }
+  }
+
+  void ties(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
+    std::vector<Hit>& hits) const override
+  {
+    hits.clear();
+    const std::vector<ExactHit> exact = this->exactHits(ray, skipFirst, skipLast);
+    for (auto hit = exact.begin(); hit != exact.end() && hit->t == exact.front().t; ++hit)
+    {
+      hits.push_back(hit->hit(ray));
+    }
+  }
 
   [[nodiscard]] std::size_t memory() const override
   {
@@ -123,6 +141,10 @@ public:
   }
 
 private:
+  /// Every hit, ordered by (t, primitive).
+  [[nodiscard]] std::vector<ExactHit> exactHits(
+    const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast) const;
+
   /// The triangles that meet what is between the ray's limits, in any order.
   void candidates(const Ray& ray, std::vector<Triangles::iterator>& found) const
   {
@@ -155,21 +177,20 @@ private:
   Tree tree_;
 };
 
-void EpeckTree::all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
-  std::vector<Hit>& hits) const
+std::vector<ExactHit> EpeckTree::exactHits(
+  const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast) const
 {
-  hits.clear();
+  std::vector<ExactHit> exact;
   // No point has an infinite parameter.
   if (ray.tMin == HUGE_VAL || ray.tMax == -HUGE_VAL)
   {
-    return;
+    return exact;
   }
   std::vector<Triangles::iterator> found;
   this->candidates(ray, found);
 
   const Vector direction = { Rational(ray.direction[0]), Rational(ray.direction[1]),
     Rational(ray.direction[2]) };
-  std::vector<ExactHit> exact;
   for (const auto& triangle : found)
   {
     const auto index = static_cast<std::size_t>(triangle - this->triangles_.begin());
@@ -196,10 +217,7 @@ void EpeckTree::all(const Ray& ray, const PrimitiveId* skipFirst, const Primitiv
   std::sort(exact.begin(), exact.end(),
     [](const ExactHit& a, const ExactHit& b)
     { return a.t < b.t || (a.t == b.t && a.primitive < b.primitive); });
-  for (const ExactHit& hit : exact)
-  {
-    hits.push_back(hit.hit(ray));
-  }
+  return exact;
 }
 
 } // namespace

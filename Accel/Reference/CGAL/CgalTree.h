@@ -6,6 +6,7 @@
 #include "Accel/BuildProgress.h"
 #include "Accel/Surface.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -28,6 +29,15 @@ public:
   /// skipLast - 1 (ascending) are left out.
   virtual void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
     std::vector<Hit>& hits) const = 0;
+
+  /// Of these, the hits at the least t: the exact one, where it is known.
+  virtual void ties(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
+    std::vector<Hit>& hits) const
+  {
+    this->all(ray, skipFirst, skipLast, hits);
+    const auto beyond = [&](const Hit& hit) { return hit.t != hits.front().t; };
+    hits.erase(std::find_if(hits.begin(), hits.end(), beyond), hits.end());
+  }
 
   /// Bytes, as far as CGAL lets one know.
   [[nodiscard]] virtual std::size_t memory() const = 0;

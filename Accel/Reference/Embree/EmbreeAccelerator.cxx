@@ -69,6 +69,12 @@ public:
     return this->runner(asked, options).all(rays, hits, options);
   }
 
+  QueryReport ties(const RayBatch& rays, AllHits& hits, const QueryOptions& options) const override
+  {
+    const Asked asked{ *this->scene_, &EmbreeScene::all };
+    return this->runner(asked, options).ties(rays, hits, options);
+  }
+
   QueryReport count(
     const RayBatch& rays, std::uint32_t* counts, const QueryOptions& options) const override
   {
