@@ -57,7 +57,8 @@ Hit finish(RayState& state, const Candidate& c, const QueryOptions& options)
 {
   Hit hit;
   hit.primitive = c.primitive;
-  hit.t = c.t;
+  // What hits are ordered by, so that t ascends with them.
+  hit.t = c.key;
   hit.u = c.u;
   hit.v = c.v;
   // Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to

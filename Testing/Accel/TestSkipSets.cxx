@@ -40,6 +40,18 @@ struct Sets
   }
 };
 
+/// The same hit. All of Exact reports a greater t again where the next would descend: what went
+/// before decides by 2^-26 at most.
+bool same(const Hit& a, const Hit& b, Precision precision)
+{
+  Hit c = a;
+  if (precision == Precision::Exact && std::fabs(a.t - b.t) <= 0x1p-25 * std::fabs(b.t))
+  {
+    c.t = b.t;
+  }
+  return sameBits(c, b);
+}
+
 /// Checks every query against the hits that are left of all hits without sets.
 void check(const Accelerator& accelerator, const Rays& rays, const Sets& sets, Precision precision)
 {
@@ -66,13 +78,13 @@ void check(const Accelerator& accelerator, const Rays& rays, const Sets& sets, P
         left.push_back(everything.hits[h]);
       }
     }
-    ASSERT_TRUE(sameBits(closest[i], left.empty() ? Hit{} : left.front())) << "ray " << i;
+    ASSERT_TRUE(same(closest[i], left.empty() ? Hit{} : left.front(), precision)) << "ray " << i;
     ASSERT_EQ(any[i], left.empty() ? 0 : 1) << "ray " << i;
     ASSERT_EQ(counts[i], left.size()) << "ray " << i;
     ASSERT_EQ(all.offsets[i + 1] - all.offsets[i], left.size()) << "ray " << i;
     for (std::size_t h = 0; h < left.size(); ++h)
     {
-      ASSERT_TRUE(sameBits(all.hits[all.offsets[i] + h], left[h])) << "ray " << i;
+      ASSERT_TRUE(same(all.hits[all.offsets[i] + h], left[h], precision)) << "ray " << i;
     }
   }
 }

@@ -9,6 +9,8 @@
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 
 namespace lumitree
@@ -53,17 +55,25 @@ Rational dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The nearest double; to_double alone may cut off.
+bool isEven(double x)
+{
+  std::uint64_t pattern;
+  std::memcpy(&pattern, &x, sizeof(pattern));
+  return (pattern & 1u) == 0;
+}
+
+/// The nearest double, of two equally near the even one; to_double alone may cut off.
 double rounded(const Rational& x)
 {
   const double near = CGAL::to_double(x);
   double best = near;
   for (const double other : { std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL) })
   {
-    if (std::isfinite(other) && std::isfinite(best) &&
-      CGAL::abs(Rational(other) - x) < CGAL::abs(Rational(best) - x))
+    if (std::isfinite(other) && std::isfinite(best))
     {
-      best = other;
+      const Rational error = CGAL::abs(Rational(other) - x);
+      const Rational least = CGAL::abs(Rational(best) - x);
+      best = error < least || (error == least && isEven(other)) ? other : best;
     }
   }
   return best;
