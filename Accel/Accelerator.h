@@ -87,8 +87,8 @@ public:
   /// How many times each ray passes through the surface. An edge or a vertex of a closed surface
   /// counts as one passage, two (or none) where the ray only touches, on whatever side; this also
   /// of surfaces whose triangles share no points (STL). So with tMax infinite the count is odd for
-  /// an origin inside a closed surface and even outside. Only Exact keeps that; with another
-  /// precision, and from structures that have no exact numbers, UnsupportedQuery is thrown.
+  /// an origin inside a closed surface and even outside. Only Exact keeps that, of triangles; with
+  /// another precision, over quadrics, and from references, UnsupportedQuery is thrown.
   ///
   /// What is counted are the crossings of the ray moved by (e, e^2, e^3), for every small enough
   /// e > 0: nothing then meets an edge, or ends on a triangle, or lies in its plane. An origin on

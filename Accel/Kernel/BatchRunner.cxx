@@ -195,6 +195,11 @@ QueryReport BatchRunner::crossings(
       "' is answered with precision '" + std::string(name(Precision::Exact)) + "' only, not '" +
       std::string(name(options.precision)) + "'");
   }
+  if (this->surface_.quadricCount() > 0)
+  {
+    throw UnsupportedQuery("the query '" + std::string(name(QueryKind::Crossings)) +
+      "' counts passages through triangles; this surface has quadrics");
+  }
   return this->numbers(rays, QueryKind::Crossings, counts, options);
 }
 
