@@ -74,7 +74,8 @@ QueryReport Accelerator::crossings(const RayBatch&, std::uint32_t*, const QueryO
   refuse(*this, QueryKind::Crossings);
 }
 
-void Accelerator::overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const
+void Accelerator::overlap(
+  const ConvexRegion& region, std::vector<PrimitiveId>& primitives, std::size_t limit) const
 {
   const FloatEnvironment environment;
   std::call_once(this->overlapOnce_,
@@ -83,7 +84,7 @@ void Accelerator::overlap(const ConvexRegion& region, std::vector<PrimitiveId>& 
       this->overlapIndex_ =
         std::make_unique<const OverlapIndex>(this->surface(), this->hierarchy());
     });
-  this->overlapIndex_->overlap(region, primitives);
+  this->overlapIndex_->overlap(region, primitives, limit);
 }
 
 std::shared_ptr<const Accelerator> build(

@@ -102,7 +102,11 @@ public:
   /// 2^-50 of the coordinates). Ascending, each once; the same from every structure; primitives is
   /// overwritten. Throws std::invalid_argument for NaN and for normals that are not finite. On the
   /// calling thread; the first call also makes an index of the structure's nodes, 64 bytes each.
-  virtual void overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const;
+  ///
+  /// limit: stops as soon as more than that were found; then primitives holds more than limit, but
+  /// not all, and which of them depends on the structure.
+  virtual void overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives,
+    std::size_t limit = std::numeric_limits<std::size_t>::max()) const;
 
   /// The structure as a flat list of nodes; one node (a leaf) where there is no hierarchy.
   [[nodiscard]] virtual HierarchyView hierarchy() const = 0;

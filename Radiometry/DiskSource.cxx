@@ -216,4 +216,17 @@ std::optional<double> DiskSource::radiance(const Vec3& position, const Vec3& dir
   return std::hypot(local[0], local[1]) <= this->radius_ ? this->radiance_ : 0.0;
 }
 
+std::optional<Box> DiskSource::bounds() const
+{
+  Box box;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double reach =
+      this->radius_ * std::hypot(this->frame_.x[k], this->frame_.y[k]) * (1.0 + 0x1p-50);
+    box.lower[k] = this->centre_[k] - reach;
+    box.upper[k] = this->centre_[k] + reach;
+  }
+  return box;
+}
+
 } // namespace lumitree

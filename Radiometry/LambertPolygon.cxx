@@ -69,10 +69,34 @@ void integrate(const Vec3* corners, std::size_t count, F&& f)
   }
 }
 
-/// D with the sign of the winding.
-Vec3 windingVector(const Vec3* corners, std::size_t count)
+/// On which side of the polygon's plane the receiver is: 1 where the normal by winding points away
+/// from it, 0 within rounding of the plane.
+int side(const Vec3* corners, std::size_t count)
+{
+  const Vec3 area = doubleArea(corners, count);
+  double height = 0.0;
+  double reach = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    height = std::max(height, std::fabs(dot(area, corners[i])));
+    reach = std::max(reach, length(corners[i]));
+  }
+  if (!(height > 0x1p-50 * length(area) * reach))
+  {
+    return 0;
+  }
+  return dot(area, corners[0] + corners[1] + corners[2]) > 0.0 ? 1 : -1;
+}
+
+} // namespace
+
+Vec3 windingLightVector(const Vec3* corners, std::size_t count)
 {
   Vec3 sum = { 0.0, 0.0, 0.0 };
+  if (count < 3)
+  {
+    return sum;
+  }
   if (looksSmall(corners, count))
   {
     integrate(corners, count,
@@ -97,34 +121,13 @@ Vec3 windingVector(const Vec3* corners, std::size_t count)
   return sum;
 }
 
-/// On which side of the polygon's plane the receiver is: 1 where the normal by winding points away
-/// from it, 0 within rounding of the plane.
-int side(const Vec3* corners, std::size_t count)
-{
-  const Vec3 area = doubleArea(corners, count);
-  double height = 0.0;
-  double reach = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    height = std::max(height, std::fabs(dot(area, corners[i])));
-    reach = std::max(reach, length(corners[i]));
-  }
-  if (!(height > 0x1p-50 * length(area) * reach))
-  {
-    return 0;
-  }
-  return dot(area, corners[0] + corners[1] + corners[2]) > 0.0 ? 1 : -1;
-}
-
-} // namespace
-
 Vec3 polygonLightVector(const Vec3* corners, std::size_t count)
 {
   if (count < 3)
   {
     return { 0.0, 0.0, 0.0 };
   }
-  return static_cast<double>(side(corners, count)) * windingVector(corners, count);
+  return static_cast<double>(side(corners, count)) * windingLightVector(corners, count);
 }
 
 void clipPolygon(
@@ -175,7 +178,7 @@ double polygonIrradiance(const Vec3* corners, std::size_t count, const Vec3& nor
   }
   // The side of the whole polygon's plane: that of a sliver left above the horizon would be lost.
   return std::max(
-    0.0, side(corners, count) * dot(normal, windingVector(clipped.data(), clipped.size())));
+    0.0, side(corners, count) * dot(normal, windingLightVector(clipped.data(), clipped.size())));
 }
 
 double polygonSolidAngle(const Vec3* corners, std::size_t count)

@@ -28,6 +28,11 @@ namespace lumitree
 [[nodiscard]] LUMITREE_RADIOMETRY_EXPORT Vec3 polygonLightVector(
   const Vec3* corners, std::size_t count);
 
+/// The same with the sign of the winding, for those who know it: it points to the polygon where
+/// corners a, b, c have a · (b × c) > 0. Cheaper, as the side is not looked for.
+[[nodiscard]] LUMITREE_RADIOMETRY_EXPORT Vec3 windingLightVector(
+  const Vec3* corners, std::size_t count);
+
 /// Irradiance ∫ max(0, n·ω) dω on the side of a unit normal: the polygon is cut by the horizon.
 [[nodiscard]] LUMITREE_RADIOMETRY_EXPORT double polygonIrradiance(
   const Vec3* corners, std::size_t count, const Vec3& normal);

@@ -157,4 +157,12 @@ SourceSample LineSource::sample(const Vec3& position, double u, double) const
     share * (this->length_ / r) / (r * this->metresPerUnit_) };
 }
 
+std::optional<Box> LineSource::bounds() const
+{
+  Box box;
+  box.extend(this->begin_);
+  box.extend(this->end_);
+  return box;
+}
+
 } // namespace lumitree

@@ -52,7 +52,7 @@ PolygonSource::PolygonSource(std::vector<EmittingPolygon> polygons, double metre
     }
     for (const Vec3& corner : polygon.corners)
     {
-      checks::coordinates(corner, "A corner of a polygon that shines");
+      this->bounds_.extend(checks::coordinates(corner, "A corner of a polygon that shines"));
     }
     const Vec3 areaVector = polygonAreaVector(polygon.corners);
     const double area = length(areaVector);

@@ -42,6 +42,7 @@ public:
   {
     return &this->polygons_;
   }
+  [[nodiscard]] std::optional<Box> bounds() const override { return this->bounds_; }
   [[nodiscard]] std::optional<double> radiance(
     const Vec3& position, const Vec3& direction) const override;
 
@@ -63,6 +64,7 @@ private:
   std::vector<EmittingPolygon> polygons_;
   std::vector<Triangle> triangles_;
   std::vector<double> powerSums_; ///< of the triangles, running
+  Box bounds_;
   Vec3 middle_;
   double metresPerUnit_;
   double flux_ = 0.0;

@@ -14,8 +14,10 @@ ShadowRays::ShadowRays(const Accelerator& occluders, ArrayView::Scalar stored)
 {
 }
 
-double ShadowRays::clearance(const Vec3& position, const Vec3& weights) const
+double ShadowRays::clearance(const Vec3& position, const Vec3* normal) const
 {
+  constexpr Vec3 allAxes = { 1.0, 1.0, 1.0 };
+  const Vec3& weights = normal ? *normal : allAxes;
   double stored = 0.0;
   double reach = 0.0;
   for (int k = 0; k < 3; ++k)
@@ -29,8 +31,7 @@ double ShadowRays::clearance(const Vec3& position, const Vec3& weights) const
 
 Ray ShadowRays::operator()(const Source& source, const Vec3& position, const Vec3* normal) const
 {
-  constexpr Vec3 allAxes = { 1.0, 1.0, 1.0 };
-  const double start = this->clearance(position, normal ? *normal : allAxes);
+  const double start = this->clearance(position, normal);
   Ray ray;
   ray.origin = normal ? position + start * *normal : position;
 
@@ -40,7 +41,7 @@ Ray ShadowRays::operator()(const Source& source, const Vec3& position, const Vec
   ray.tMin = start / size;
   if (!way.endless)
   {
-    ray.tMax = 1.0 - this->clearance(ray.origin + way.direction, allAxes) / size;
+    ray.tMax = 1.0 - this->clearance(ray.origin + way.direction) / size;
   }
   return ray;
 }

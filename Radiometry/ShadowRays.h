@@ -37,9 +37,10 @@ public:
   [[nodiscard]] Ray operator()(
     const Source& source, const Vec3& position, const Vec3* normal) const;
 
-private:
-  [[nodiscard]] double clearance(const Vec3& position, const Vec3& weights) const;
+  /// Of a position: that along a unit normal, or, without one, along any direction.
+  [[nodiscard]] double clearance(const Vec3& position, const Vec3* normal = nullptr) const;
 
+private:
   Box bounds_;
   double coordinateError_; ///< relative
   double arithmeticError_; ///< relative to the extent

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Radiometry_Source_h
 #define Lumitree_Radiometry_Source_h
 
+#include "Accel/Box.h"
 #include "Accel/Vec3.h"
 #include "Radiometry/EmittingPolygon.h"
 #include "Radiometry/Export.h"
@@ -76,6 +77,10 @@ public:
   /// What the source consists of, where that is polygons; null otherwise. They live as long as the
   /// source, and what they give adds up.
   [[nodiscard]] virtual const std::vector<EmittingPolygon>* polygons() const { return nullptr; }
+
+  /// A box that holds all of an extended source; nothing where it has no end, or none is known.
+  /// What is not in the way to the box does not hide the source.
+  [[nodiscard]] virtual std::optional<Box> bounds() const { return std::nullopt; }
 
   /// Radiance that a position receives from the source out of a direction (any length but 0), as if
   /// nothing, not even the source itself, were in the way; 0 where the source is not in that

@@ -110,4 +110,13 @@ std::optional<double> SphereSource::radiance(const Vec3& position, const Vec3& d
     : 0.0;
 }
 
+std::optional<Box> SphereSource::bounds() const
+{
+  const Vec3 reach = { this->radius_, this->radius_, this->radius_ };
+  Box box;
+  box.extend(this->centre_ - reach);
+  box.extend(this->centre_ + reach);
+  return box;
+}
+
 } // namespace lumitree

@@ -28,6 +28,7 @@ public:
   [[nodiscard]] Sightline sightline(const Vec3& position) const override;
   [[nodiscard]] Vec3 lightVector(const Vec3& position) const override;
   [[nodiscard]] bool extended() const override { return true; }
+  [[nodiscard]] std::optional<Box> bounds() const override;
 
   /// By solid angle.
   [[nodiscard]] SourceSample sample(const Vec3& position, double u, double v) const override;

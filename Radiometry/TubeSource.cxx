@@ -202,4 +202,20 @@ std::optional<double> TubeSource::radiance(const Vec3& position, const Vec3& dir
   return z >= 0.0 && z <= this->length_ ? this->radiance_ : 0.0;
 }
 
+std::optional<Box> TubeSource::bounds() const
+{
+  Box box;
+  for (const Vec3& end : { this->begin_, this->begin_ + this->length_ * this->frame_.z })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double reach =
+        this->radius_ * std::hypot(this->frame_.x[k], this->frame_.y[k]) * (1.0 + 0x1p-50);
+      box.lower[k] = std::min(box.lower[k], end[k] - reach);
+      box.upper[k] = std::max(box.upper[k], end[k] + reach);
+    }
+  }
+  return box;
+}
+
 } // namespace lumitree

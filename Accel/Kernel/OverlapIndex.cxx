@@ -236,15 +236,27 @@ bool OverlapIndex::leftOut(
     { return plane.beyond(corners[0]) && plane.beyond(corners[1]) && plane.beyond(corners[2]); });
 }
 
+/// A structure may hold a primitive many times: these count once towards the limit.
 void OverlapIndex::collect(
-  const std::vector<Plane>& planes, std::vector<PrimitiveId>& primitives) const
+  const std::vector<Plane>& planes, std::vector<PrimitiveId>& primitives, std::size_t limit) const
 {
   const std::size_t tested = std::min(planes.size(), nodePlanes);
   // Per depth, the planes that may leave out something below the node there.
   std::vector<std::uint64_t> openAt(this->depth_ + 2);
   openAt[0] = tested == nodePlanes ? ~std::uint64_t{ 0 } : (std::uint64_t{ 1 } << tested) - 1;
+  std::size_t checked = limit;
   for (std::size_t n = 0; n < this->nodes_.size();)
   {
+    if (primitives.size() > checked)
+    {
+      std::sort(primitives.begin(), primitives.end());
+      primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
+      if (primitives.size() > limit)
+      {
+        return;
+      }
+      checked = limit + primitives.size(); // not again for each node
+    }
     const Node& node = this->nodes_[n];
     std::uint64_t open = openAt[node.depth];
     bool out = false;
@@ -279,10 +291,11 @@ void OverlapIndex::collect(
   }
 }
 
-void OverlapIndex::overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const
+void OverlapIndex::overlap(
+  const ConvexRegion& region, std::vector<PrimitiveId>& primitives, std::size_t limit) const
 {
   primitives.clear();
-  this->collect(this->prepare(region), primitives);
+  this->collect(this->prepare(region), primitives, limit);
   std::sort(primitives.begin(), primitives.end());
   primitives.erase(std::unique(primitives.begin(), primitives.end()), primitives.end());
 }

@@ -36,7 +36,9 @@ public:
 
   /// The primitives not left out, ascending, each once. Throws std::invalid_argument for NaN and
   /// for normals that are not finite.
-  void overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives) const;
+  /// limit: of Accelerator::overlap.
+  void overlap(
+    const ConvexRegion& region, std::vector<PrimitiveId>& primitives, std::size_t limit) const;
 
 private:
   struct Plane;
@@ -56,7 +58,8 @@ private:
   [[nodiscard]] std::vector<Plane> prepare(const ConvexRegion& region) const;
   [[nodiscard]] bool leftOut(
     PrimitiveId primitive, const std::vector<Plane>& planes, std::uint64_t open) const;
-  void collect(const std::vector<Plane>& planes, std::vector<PrimitiveId>& primitives) const;
+  void collect(const std::vector<Plane>& planes, std::vector<PrimitiveId>& primitives,
+    std::size_t limit) const;
 
   const Surface& surface_;
   std::vector<Node> nodes_;

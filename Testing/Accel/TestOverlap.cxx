@@ -170,6 +170,21 @@ std::vector<std::shared_ptr<const Accelerator>> allOver(const std::shared_ptr<co
   return all;
 }
 
+TEST(Overlap, StopsAtItsLimit)
+{
+  const auto surface = surfaceOf<float>(data::randomCloud(200));
+  for (const auto& accelerator : allOver(surface))
+  {
+    std::vector<PrimitiveId> found;
+    accelerator->overlap({}, found, 200);
+    EXPECT_EQ(found.size(), 200u);
+    accelerator->overlap({}, found, 20);
+    EXPECT_GT(found.size(), 20u);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+  }
+}
+
 TEST(Overlap, BruteForceKeepsTheDefinition)
 {
   for (const auto& surface : scenes())

@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Radiometry/Estimate/PolygonEstimator.h"
+
+#include "Radiometry/Frame.h"
+#include "Radiometry/LambertPolygon.h"
+#include "Radiometry/PolygonTriangles.h"
+#include "Radiometry/SphericalTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lumitree
+{
+
+namespace
+{
+
+/// A triangle, or what is left of it on this side of a light's plane.
+struct CutTriangle
+{
+  int count = 0;
+  Vec3 corners[4];
+};
+
+/// The hull of points in a plane with that normal, counter-clockwise around it (Andrew 1979).
+std::vector<Vec3> convexHull(std::vector<Vec3> points, const Vec3& normal)
+{
+  const Frame frame = Frame::around(normal);
+  const auto turn = [&](const Vec3& a, const Vec3& b, const Vec3& c)
+  { return dot(normal, cross(b - a, c - a)); };
+  std::sort(points.begin(), points.end(),
+    [&](const Vec3& a, const Vec3& b)
+    {
+      const Vec3 p = frame.toLocal(a);
+      const Vec3 q = frame.toLocal(b);
+      return p[0] < q[0] || (p[0] == q[0] && p[1] < q[1]);
+    });
+  std::vector<Vec3> hull;
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    const std::size_t start = hull.size();
+    for (const Vec3& p : points)
+    {
+      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0)
+      {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+bool isConvex(const std::vector<Vec3>& corners, const Vec3& normal)
+{
+  const std::size_t n = corners.size();
+  double turned = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Vec3 in = corners[(i + 1) % n] - corners[i];
+    const Vec3 out = corners[(i + 2) % n] - corners[(i + 1) % n];
+    const double sine = dot(normal, cross(in, out));
+    if (sine < 0.0)
+    {
+      return false;
+    }
+    turned += std::atan2(sine, dot(in, out));
+  }
+  return turned < 7.0; // once around, not twice
+}
+
+ConePiece seenFrom(const Vec3& eye, const std::vector<Vec3>& corners)
+{
+  ConePiece piece;
+  for (const Vec3& corner : corners)
+  {
+    piece.corners[piece.count++] = corner - eye;
+  }
+  return piece;
+}
+
+} // namespace
+
+PolygonEstimator::PolygonEstimator(const Source& source, const EstimateScene& scene)
+  : SourceEstimatorBase(source, scene)
+{
+  constexpr std::size_t mostCorners = 8;
+  for (const EmittingPolygon& given : *source.polygons())
+  {
+    if (!(given.radiance > 0.0) || !(length(polygonAreaVector(given.corners)) > 0.0))
+    {
+      continue;
+    }
+    Polygon polygon;
+    polygon.normal = given.normal;
+    polygon.radiance = given.radiance;
+    polygon.twoSided = given.twoSided;
+    if (isConvex(given.corners, given.normal) && given.corners.size() <= mostCorners)
+    {
+      polygon.parts.push_back(given.corners);
+      polygon.hull = given.corners;
+    }
+    else
+    {
+      for (const auto& t : triangulatePolygon(given.corners))
+      {
+        polygon.parts.push_back({ given.corners[t[0]], given.corners[t[1]], given.corners[t[2]] });
+      }
+      polygon.hull = convexHull(given.corners, given.normal);
+    }
+    if (scene.shadowRays)
+    {
+      for (const Vec3& corner : given.corners)
+      {
+        polygon.clearance = std::max(polygon.clearance, scene.shadowRays->clearance(corner));
+      }
+    }
+    this->polygons_.push_back(std::move(polygon));
+  }
+}
+
+Estimate PolygonEstimator::estimate(
+  const View& view, double tolerance, EstimateWorkspace& workspace) const
+{
+  Estimate sum;
+  const double share =
+    this->polygons_.empty() ? 0.0 : tolerance / static_cast<double>(this->polygons_.size());
+  for (const Polygon& polygon : this->polygons_)
+  {
+    sum.add(this->estimate(polygon, view, share, workspace));
+  }
+  return sum;
+}
+
+bool PolygonEstimator::findCones(const Polygon& polygon, double side, double height,
+  const View& view, EstimateWorkspace& workspace) const
+{
+  ConvexRegion& region = workspace.region;
+  region.clear();
+  const Vec3 towards = side * polygon.normal; // from the light to the eye
+  const std::size_t count = polygon.hull.size();
+  Vec3 previous = polygon.hull[count - 1] - view.eye;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Vec3 next = polygon.hull[i] - view.eye;
+    // The polygon lies to the left of its edges seen from its front, on the outer side of none.
+    const Vec3 outward = side * cross(previous, next);
+    region.push_back({ outward, dot(outward, view.eye) });
+    previous = next;
+  }
+  const double plane = dot(towards, polygon.hull[0]);
+  region.push_back({ -1.0 * towards, -plane - polygon.clearance });
+  region.push_back({ towards, plane + height });
+  if (view.sided)
+  {
+    region.push_back({ -1.0 * view.normal, -dot(view.normal, view.eye) });
+  }
+  if (!this->find(view, this->scene_.options.mostClipped, workspace))
+  {
+    return false;
+  }
+
+  workspace.cones.clear();
+  const Surface& surface = this->scene_.occluders->surface();
+  for (const PrimitiveId id : workspace.found)
+  {
+    const std::array<Vec3, 3> vertices = surface.vertices(id);
+    CutTriangle cut;
+    double heights[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      heights[k] = dot(towards, vertices[k] - polygon.hull[0]) - polygon.clearance;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const int next = (k + 1) % 3;
+      const double a = heights[k];
+      const double b = heights[next];
+      if (a >= 0.0)
+      {
+        cut.corners[cut.count++] = vertices[k] - view.eye;
+      }
+      if ((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0))
+      {
+        const double share = a / (a - b);
+        cut.corners[cut.count++] =
+          (1.0 - share) * (vertices[k] - view.eye) + share * (vertices[next] - view.eye);
+      }
+    }
+    OccluderCone cone;
+    if (cut.count >= 3 && cone.assign(cut.corners, cut.count, view.clearance))
+    {
+      workspace.cones.push_back(cone);
+    }
+  }
+  return true;
+}
+
+void PolygonEstimator::look(
+  const Polygon& polygon, const Vec3& position, const View& view, std::vector<ConePiece>& pieces)
+{
+  pieces.clear();
+  for (const std::vector<Vec3>& part : polygon.parts)
+  {
+    ConePiece piece = seenFrom(position, part);
+    if (view.sided)
+    {
+      ConePiece in, out;
+      splitPiece(piece, view.normal, in, out);
+      piece = in;
+    }
+    if (piece.count >= 3)
+    {
+      pieces.push_back(piece);
+    }
+  }
+}
+
+Estimate PolygonEstimator::estimate(
+  const Polygon& polygon, const View& view, double tolerance, EstimateWorkspace& workspace) const
+{
+  Estimate result;
+  const double above = dot(polygon.normal, view.position - polygon.hull[0]);
+  if (!(above > 0.0) && !(polygon.twoSided && above < 0.0))
+  {
+    return result;
+  }
+  const double side = above > 0.0 ? 1.0 : -1.0;
+  // From the front the corners turn left: seen from the eye, their winding is negative.
+  const double winding = -side;
+  look(polygon, view.position, view, workspace.pieces);
+  const PieceRadiance radiance{ polygon.radiance, 0.0, {} };
+  addPieces(workspace.pieces, winding, radiance, view, result.value);
+  result.value.main = std::max(0.0, result.value.main);
+  result.unoccluded = result.value.main;
+  result.lower = result.unoccluded;
+  result.upper = result.unoccluded;
+  if (!(result.unoccluded > 0.0))
+  {
+    return result;
+  }
+  result.method = EstimateMethod::ClosedForm;
+  if (!this->scene_.occluders)
+  {
+    return result;
+  }
+
+  // What hides is cut out of the light as the eye sees it; the shares that are left are those of
+  // the position.
+  look(polygon, view.eye, view, workspace.pieces);
+  Amounts certain;
+  Amounts open = result.value;
+  if (this->findCones(polygon, side, std::fabs(above), view, workspace))
+  {
+    if (workspace.cones.empty())
+    {
+      return result;
+    }
+    Amounts seen;
+    addPieces(workspace.pieces, winding, radiance, view, seen);
+    const double scale = seen.main > 0.0 ? result.unoccluded / seen.main : 0.0;
+    const std::size_t budget = 2000 + 60 * workspace.cones.size();
+    workspace.subtraction.run(workspace.pieces, workspace.cones, budget, workspace.cut);
+    Amounts visible;
+    addPieces(workspace.cut.visible, winding, radiance, view, visible);
+    certain.add(visible, scale);
+    certain.main = std::clamp(certain.main, 0.0, result.unoccluded);
+    Amounts undecided;
+    addPieces(workspace.cut.undecided, winding, radiance, view, undecided);
+    open = {};
+    open.add(undecided, scale);
+    open.main = std::clamp(open.main, 0.0, result.unoccluded - certain.main);
+    workspace.pieces = workspace.cut.undecided;
+    result.value = certain;
+    result.lower = certain.main;
+    result.upper = certain.main + open.main;
+    result.method = EstimateMethod::Clipping;
+    const double allowed = std::max(
+      tolerance, this->scene_.options.relativeTolerance * (certain.main + 0.5 * open.main));
+    if (0.5 * open.main <= allowed)
+    {
+      if (open.main > 0.0)
+      {
+        result.value.add(open, 0.5);
+        result.method = EstimateMethod::Bounds;
+      }
+      return result;
+    }
+  }
+  this->sample(polygon, view, certain, open, tolerance, workspace, result);
+  return result;
+}
+
+/// Rays to the pieces that are open, beside the light that is certain.
+void PolygonEstimator::sample(const Polygon& polygon, const View& view, const Amounts& certain,
+  const Amounts& open, double tolerance, EstimateWorkspace& workspace, Estimate& result) const
+{
+  const PieceSampler sampler(workspace.pieces);
+  const RaySample sampled = workspace.sampler.run(
+    view, open, certain.main,
+    [&](double u, double v)
+    {
+      SourceSample sample = sampler(u, v);
+      sample.radiance = polygon.radiance;
+      return sample;
+    },
+    this->scene_.sampling(tolerance));
+  result.value = certain;
+  result.value.add(sampled.value);
+  result.lower = std::max(certain.main, result.value.main - sampled.halfWidth);
+  result.upper = std::min(certain.main + open.main, result.value.main + sampled.halfWidth);
+  result.method = EstimateMethod::Sampling;
+  result.rays = sampled.rays;
+  result.missed = sampled.missed;
+}
+
+PieceSampler::PieceSampler(const std::vector<ConePiece>& pieces)
+{
+  for (const ConePiece& piece : pieces)
+  {
+    for (int i = 2; i < piece.count; ++i)
+    {
+      Triangle triangle;
+      triangle.corners = { piece.corners[0], piece.corners[i - 1], piece.corners[i] };
+      triangle.solidAngle = polygonSolidAngle(triangle.corners.data(), 3);
+      if (triangle.solidAngle > 0.0)
+      {
+        this->solidAngle_ += triangle.solidAngle;
+        this->triangles_.push_back(triangle);
+      }
+    }
+  }
+}
+
+SourceSample PieceSampler::operator()(double u, double v) const
+{
+  // Outside of these the sphere's triangle has no digits left.
+  constexpr double smallest = 3e-4;
+  constexpr double largest = 6.22;
+  SourceSample result;
+  double rest = u * this->solidAngle_;
+  for (std::size_t i = 0; i < this->triangles_.size(); ++i)
+  {
+    const Triangle& triangle = this->triangles_[i];
+    if (rest >= triangle.solidAngle && i + 1 < this->triangles_.size())
+    {
+      rest -= triangle.solidAngle;
+      continue;
+    }
+    const double share = std::min(1.0, rest / triangle.solidAngle);
+    const Vec3& a = triangle.corners[0];
+    const Vec3 area = cross(triangle.corners[1] - a, triangle.corners[2] - a);
+    if (triangle.solidAngle > smallest && triangle.solidAngle < largest)
+    {
+      const Vec3 direction = sampleSphericalTriangle({ 0.0, 0.0, 0.0 }, triangle.corners, share, v);
+      const double t = dot(area, a) / dot(area, direction);
+      if (t > 0.0 && std::isfinite(t))
+      {
+        result.sightline.direction = t * direction;
+        result.weight = this->solidAngle_;
+        return result;
+      }
+    }
+    const double root = std::sqrt(share);
+    const Vec3 way = (1.0 - root) * a + (root * (1.0 - v)) * triangle.corners[1] +
+      (root * v) * triangle.corners[2];
+    const double r = length(way);
+    result.sightline.direction = way;
+    // Even over the area: by its own density over the solid angle.
+    result.weight = r > 0.0
+      ? this->solidAngle_ / triangle.solidAngle * 0.5 * std::fabs(dot(area, way)) / (r * r * r)
+      : 0.0;
+    return result;
+  }
+  return result;
+}
+
+} // namespace lumitree

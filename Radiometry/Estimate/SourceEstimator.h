@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Lumitree_Radiometry_Estimate_SourceEstimator_h
+#define Lumitree_Radiometry_Estimate_SourceEstimator_h
+
+#include "Radiometry/Estimate/Amounts.h"
+#include "Radiometry/Estimate/ConePieces.h"
+#include "Radiometry/Estimate/PieceLight.h"
+#include "Radiometry/Estimate/RaySampler.h"
+#include "Radiometry/Estimate/Skyline.h"
+#include "Radiometry/LightEstimate.h"
+#include "Radiometry/ShadowRays.h"
+
+#include <memory>
+#include <optional>
+
+namespace lumitree
+{
+
+/// Light of one source in one view.
+struct Estimate
+{
+  Amounts value;
+  double lower = 0.0; ///< of value.main
+  double upper = 0.0;
+  double unoccluded = 0.0; ///< main
+  EstimateMethod method = EstimateMethod::None;
+  std::uint32_t rays = 0;
+  bool missed = false; ///< the tolerance
+
+  void add(const Estimate& other);
+};
+
+/// Memory that estimates on one thread use again.
+struct EstimateWorkspace
+{
+  ConvexRegion region;
+  std::vector<PrimitiveId> found;
+  std::vector<OccluderCone> cones;
+  std::vector<ConePiece> pieces;
+  VisiblePieces cut;
+  ConeSubtraction subtraction;
+  Skyline::Scratch skyline;
+  RaySampler sampler;
+};
+
+/// What estimates of all receivers share.
+struct EstimateScene
+{
+  const EstimateOptions& options;
+  const Accelerator* occluders; ///< null: nothing hides
+  const ShadowRays* shadowRays; ///< null where occluders is
+  std::size_t triangles;        ///< primitives from there on are not triangles
+
+  [[nodiscard]] RaySamplerOptions sampling(double absoluteTolerance) const;
+};
+
+/// Estimates the light of one extended source.
+class SourceEstimator
+{
+public:
+  virtual ~SourceEstimator() = default;
+
+  /// tolerance: absolute, of value.main, beside the relative one.
+  [[nodiscard]] virtual Estimate estimate(
+    const View& view, double tolerance, EstimateWorkspace& workspace) const = 0;
+};
+
+/// The one that suits the source.
+[[nodiscard]] std::unique_ptr<const SourceEstimator> makeEstimator(
+  const Source& source, const EstimateScene& scene);
+
+/// For PolygonEstimator, SkyEstimator and those of other sources.
+class SourceEstimatorBase : public SourceEstimator
+{
+protected:
+  SourceEstimatorBase(const Source& source, const EstimateScene& scene)
+    : source_(source)
+    , scene_(scene)
+  {
+  }
+
+  /// Primitives that may meet workspace.region, without those that the view skips. False where
+  /// there are more than the limit, or one is not a triangle.
+  bool find(const View& view, std::size_t limit, EstimateWorkspace& workspace) const;
+
+  /// The closed form: nothing hides.
+  [[nodiscard]] Estimate unoccluded(const View& view, EstimateWorkspace& workspace) const;
+
+  /// Rays to the whole source, given its closed form.
+  [[nodiscard]] Estimate sampleAll(
+    const View& view, const Estimate& full, double tolerance, EstimateWorkspace& workspace) const;
+
+  const Source& source_;
+  const EstimateScene& scene_;
+};
+
+} // namespace lumitree
+
+#endif
