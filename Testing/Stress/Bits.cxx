@@ -80,11 +80,11 @@ std::vector<Scene> makeScenes()
     for (const Place& place : closedPlaces())
     {
       const ClosedScene closed = closedScene(torus, place, 6);
-      Scene scene{ closed.surface, raysAround(*closed.surface, 60, 1) };
+      Scene scene{ closed.surface, raysAround(*closed.surface, 16, 1) };
       for (const Aim aim : everyAim)
       {
-        append(scene.rays, raysFromInside(closed, aim, 25));
-        append(scene.rays, raysFromAfar(closed, aim, 1e6, 5));
+        append(scene.rays, raysFromInside(closed, aim, 8));
+        append(scene.rays, raysFromAfar(closed, aim, 1e6, 2));
       }
       scenes.push_back(std::move(scene));
     }
@@ -93,7 +93,7 @@ std::vector<Scene> makeScenes()
     { surfaceOf<float>(data::cornellBox(2)), surfaceOf<double>(data::slivers(40, 1e6)),
       surfaceOf<float>(data::terrain(10)), surfaceOf<double>(data::randomCloud(150, 3, 0.5)) })
   {
-    scenes.push_back({ surface, raysAround(*surface, 160, 2) });
+    scenes.push_back({ surface, raysAround(*surface, 60, 2) });
   }
   return scenes;
 }
@@ -195,45 +195,53 @@ struct Digest
   Hashes sets{};
 };
 
+void add(Answer& a, const std::vector<PrimitiveId>& original, Hasher& everything, Hasher& sets)
+{
+  everything.add(a.closest);
+  for (const Hit& hit : a.all)
+  {
+    everything.add(hit);
+  }
+  for (Hit& hit : a.all)
+  {
+    hit.primitive = original[hit.primitive];
+  }
+  std::sort(a.all.begin(), a.all.end(),
+    [](const Hit& x, const Hit& y) { return x.primitive < y.primitive; });
+  sets.add(a.any);
+  sets.add(a.count);
+  for (const Hit& hit : a.all)
+  {
+    sets.add(hit);
+  }
+}
+
 Digest digest(const std::vector<Scene>& scenes, const Manner& manner)
 {
-  Digest result;
-  for (int p = 0; p < precisionCount; ++p)
+  std::array<Hasher, precisionCount> everything;
+  std::array<Hasher, precisionCount> sets;
+  for (const Scene& scene : scenes)
   {
-    const auto precision = static_cast<Precision>(p);
-    Hasher everything;
-    Hasher sets;
-    for (const Scene& scene : scenes)
+    std::vector<PrimitiveId> original;
+    const auto surface = again(*scene.surface, manner.permute, original);
+    for (const BuildOptions& options : ownStructures())
     {
-      std::vector<PrimitiveId> original;
-      const auto surface = again(*scene.surface, manner.permute, original);
-      for (const BuildOptions& options : ownStructures())
+      const auto accelerator = build(surface, options);
+      for (int p = 0; p < precisionCount; ++p)
       {
-        for (Answer& a : ask(*build(surface, options), scene.rays, precision, manner))
+        for (Answer& a : ask(*accelerator, scene.rays, static_cast<Precision>(p), manner))
         {
-          everything.add(a.closest);
-          for (const Hit& hit : a.all)
-          {
-            everything.add(hit);
-          }
-          for (Hit& hit : a.all)
-          {
-            hit.primitive = original[hit.primitive];
-          }
-          std::sort(a.all.begin(), a.all.end(),
-            [](const Hit& x, const Hit& y) { return x.primitive < y.primitive; });
-          sets.add(a.any);
-          sets.add(a.count);
-          for (const Hit& hit : a.all)
-          {
-            sets.add(hit);
-          }
+          add(a, original, everything[p], sets[p]);
         }
       }
     }
-    everything.add(sets.value());
-    result.everything[p] = everything.value();
-    result.sets[p] = sets.value();
+  }
+  Digest result;
+  for (int p = 0; p < precisionCount; ++p)
+  {
+    everything[p].add(sets[p].value());
+    result.everything[p] = everything[p].value();
+    result.sets[p] = sets[p].value();
   }
   return result;
 }
