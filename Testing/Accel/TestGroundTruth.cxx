@@ -3,7 +3,7 @@
 // CGAL's exact arithmetic against every structure: which primitives are hit, in what order, at what
 // t. Rays through vertices and edges, in planes, at limits, far from the origin; and ordinary ones.
 #include "Accel/Reference/CGAL/CgalReference.h"
-#include "TestHelpers.h"
+#include "ClosedScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -185,6 +185,35 @@ TEST_F(GroundTruth, TiesAndRoundedTAreTheSame)
     }
   }
   EXPECT_GT(several, 100u);
+}
+
+TEST_F(GroundTruth, ClosedSurfacesFromInsideAndFromAfar)
+{
+  for (const bool torus : { false, true })
+  {
+    for (const Place& place : closedPlaces())
+    {
+      const ClosedScene c = closedScene(torus, place, 5);
+      Rays all;
+      for (const Aim aim : everyAim)
+      {
+        const Rays inside = raysFromInside(c, aim, 25);
+        for (std::size_t i = 0; i < inside.size(); ++i)
+        {
+          all.add(inside.batch()[i]);
+        }
+        for (const double distance : { 1e4, 1e6, 1e8 })
+        {
+          const Rays afar = raysFromAfar(c, aim, distance, 5);
+          for (std::size_t i = 0; i < afar.size(); ++i)
+          {
+            all.add(afar.batch()[i]);
+          }
+        }
+      }
+      compare({ c.name, c.surface }, all);
+    }
+  }
 }
 
 TEST_F(GroundTruth, OrdinaryRaysHitExactlyWhatTheyShould)

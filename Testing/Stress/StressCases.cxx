@@ -127,9 +127,11 @@ StressCase notFinite(Uniform& uniform)
     triangles.push_back(corners);
   }
   StressCase c{ "NotFinite", surfaceOf<double>(triangles), {} };
+  const auto& good = c.surface->hittable();
   for (std::size_t i = 0; i < fewRays; ++i)
   {
-    Ray ray = { any(uniform, 2), any(uniform) };
+    Ray ray =
+      through(any(uniform, 2), c.surface->vertices(good[uniform.index(good.size())]), uniform);
     if (i % 5 == 0)
     {
       (uniform.index(2) == 0 ? ray.origin : ray.direction)[uniform.index(3)] = bad[i % 4];
