@@ -32,6 +32,7 @@ struct Tally
 {
   std::string name;
   bool fastMayLeak = true;
+  bool inside = false;
   std::size_t rays = 0;
   std::size_t hit = 0;        ///< other answer whether anything is hit
   std::size_t primitive = 0;  ///< other primitive
@@ -39,6 +40,9 @@ struct Tally
   std::size_t all = 0;        ///< other primitives, or in another order
   std::size_t t = 0;          ///< t further off than promised
   std::size_t structures = 0; ///< another structure gives other bits
+  std::size_t asked = 0;      ///< rays asked for ties and for rounded t, a fifth of them
+  std::size_t ties = 0;       ///< other ties, or not the double nearest to t
+  std::size_t parity = 0;     ///< from inside, and an even number of crossings
   double worstT = 0.0;        ///< relative error of t
   std::size_t undecided = 0;  ///< candidates that went to exact arithmetic
   std::size_t watertightLeaks = 0;
@@ -58,6 +62,9 @@ struct Tally
     this->all += o.all;
     this->t += o.t;
     this->structures += o.structures;
+    this->asked += o.asked;
+    this->ties += o.ties;
+    this->parity += o.parity;
     this->worstT = std::max(this->worstT, o.worstT);
     this->undecided += o.undecided;
     this->watertightLeaks += o.watertightLeaks;
@@ -70,7 +77,8 @@ struct Tally
 
   [[nodiscard]] std::size_t differences() const
   {
-    return this->hit + this->primitive + this->count + this->all + this->t + this->structures;
+    return this->hit + this->primitive + this->count + this->all + this->t + this->structures +
+      this->ties + this->parity;
   }
 
   [[nodiscard]] bool keepsPromises() const
@@ -227,6 +235,37 @@ void compareOthers(
   }
 }
 
+void compareTies(const Subject& s, const Asked& asked, const Rays& rays, Tally& tally)
+{
+  QueryOptions options = with(Precision::Exact);
+  options.roundedT = true;
+  AllHits truth;
+  AllHits found;
+  s.truth->ties(rays.batch(), truth, with(Precision::Exact));
+  asked.main.ties(rays.batch(), found, options);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    const auto first = [i](const AllHits& hits)
+    { return hits.hits.begin() + static_cast<std::ptrdiff_t>(hits.offsets[i]); };
+    const auto last = [i](const AllHits& hits)
+    { return hits.hits.begin() + static_cast<std::ptrdiff_t>(hits.offsets[i + 1]); };
+    const bool same = std::equal(first(truth), last(truth), first(found), last(found),
+      [](const Hit& a, const Hit& b) { return a.primitive == b.primitive && a.t == b.t; });
+    tally.ties += same ? 0 : 1;
+  }
+  tally.asked += rays.size();
+}
+
+void countEven(const Asked& asked, const Rays& rays, Tally& tally)
+{
+  std::vector<std::uint32_t> crossings(rays.size());
+  asked.main.crossings(rays.batch(), crossings.data(), with(Precision::Exact));
+  for (const std::uint32_t n : crossings)
+  {
+    tally.parity += n % 2 == 1 ? 0 : 1;
+  }
+}
+
 /// Adds a kind of rays, chunk by chunk.
 template <class Make>
 void compare(const Subject& s, const Asked& asked, std::size_t count, unsigned seed,
@@ -242,6 +281,14 @@ void compare(const Subject& s, const Asked& asked, std::size_t count, unsigned s
     tally.truthSeconds += seconds() - start;
     compareExact(s, asked, rays, truth, tally);
     compareOthers(s, asked, rays, truth, tally);
+    if (done % (5 * chunk) == 0)
+    {
+      compareTies(s, asked, rays, tally);
+    }
+    if (tally.inside)
+    {
+      countEven(asked, rays, tally);
+    }
     tally.rays += rays.size();
   }
 }
@@ -249,10 +296,11 @@ void compare(const Subject& s, const Asked& asked, std::size_t count, unsigned s
 void print(const Tally& t)
 {
   const double n = static_cast<double>(t.rays);
-  std::printf(
-    "| %s | %zu | %zu | %zu | %zu | %zu | %zu | %zu | %.1e | %.2g | %zu | %zu | %zu | %s | "
-    "%.0f | %.1f |\n",
-    t.name.c_str(), t.rays, t.hit, t.primitive, t.count, t.all, t.t, t.structures, t.worstT,
+  std::printf("| %s | %zu | %zu | %zu | %zu | %zu | %zu | %zu | %zu of %zu | %s | %.1e | %.2g | "
+              "%zu | %zu | %zu | %s | "
+              "%.0f | %.1f |\n",
+    t.name.c_str(), t.rays, t.hit, t.primitive, t.count, t.all, t.t, t.structures, t.ties, t.asked,
+    t.inside ? std::to_string(t.parity).c_str() : "", t.worstT,
     static_cast<double>(t.undecided) / n, t.watertightLeaks, t.fastLeaks, t.fastOthers,
     t.recentred ? std::to_string(t.recentredOthers).c_str() : "", 1e9 * t.exactSeconds / n,
     1e6 * t.truthSeconds / n);
@@ -277,11 +325,11 @@ Tally& row(std::vector<Tally>& rows, const std::string& name)
 void printHeader()
 {
   std::printf(
-    "| rays | number | hit | primitive | count | all | t | structures | worst t | "
+    "| rays | number | hit | primitive | count | all | t | structures | ties | parity | worst t | "
     "undecided per ray | leaks of watertight | leaks of fast | other primitives of fast | "
     "of fast, recentred floats | exact [ns] | EPECK [us] |\n"
     "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | "
-    "--- |\n");
+    "--- | --- | --- |\n");
 }
 
 /// The rays of one place: rows for each aim, from inside and from afar.
@@ -297,6 +345,7 @@ std::vector<Tally> compareAt(
     {
       const std::string kind = std::string(place.name) + ", " + name(aim);
       Tally& near = row(rows, kind);
+      near.inside = true;
       near.recentred = place.offset[0] == 500000 && aim == Aim::Random;
       near.fastMayLeak = aim != Aim::Random || place.offset[0] > 1e4;
       compare(
