@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, structureCount> structureNames = { "auto"
 constexpr std::array<std::string_view, precisionCount> precisionNames = { "fast", "watertight",
   "exact" };
 constexpr std::array<std::string_view, bvhBuildCount> bvhBuildNames = { "longest_axis_median",
-  "binned_sah" };
+  "binned_sah", "sweep_sah", "spatial_splits", "morton" };
 constexpr std::array<std::string_view, kdBuildCount> kdBuildNames = { "spatial_median", "sah" };
 constexpr std::array<std::string_view, queryKindCount> queryNames = { "closest", "any", "all",
   "count", "crossings", "ties" };

@@ -45,9 +45,12 @@ inline constexpr int precisionCount = 3;
 enum class BvhBuild : int
 {
   LongestAxisMedian = 0, ///< the textbook's: longest axis, object in the middle
-  BinnedSah = 1          ///< surface-area heuristic over bins (Wald 2007)
+  BinnedSah = 1,         ///< surface-area heuristic over bins (Wald 2007)
+  SweepSah = 2,          ///< surface-area heuristic over every division of the sorted centres
+  SpatialSplits = 3,     ///< as BinnedSah, and triangles are cut where it pays (Stich et al. 2009)
+  Morton = 4 ///< linear: along the Morton curve (Lauterbach et al. 2009), the quickest to build
 };
-inline constexpr int bvhBuildCount = 2;
+inline constexpr int bvhBuildCount = 5;
 
 /// How a KD-tree is split.
 enum class KdBuild : int

@@ -213,7 +213,7 @@ bool BinnedStrategy::split(
   return true;
 }
 
-void BinnedStrategy::ids(const BvhSegment& segment, PrimitiveId* out) const
+void BinnedStrategy::ids(BvhSegment& segment, PrimitiveId* out) const
 {
   for (std::size_t i = segment.begin; i < segment.end; ++i)
   {

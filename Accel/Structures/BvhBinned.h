@@ -39,7 +39,7 @@ public:
   BinnedStrategy(BuildReferences& references, int leafSize, BuildProgress& progress);
 
   bool split(BvhSegment& segment, bool halve, BvhSegment& left, BvhSegment& right, int& axis);
-  void ids(const BvhSegment& segment, PrimitiveId* out) const;
+  void ids(BvhSegment& segment, PrimitiveId* out) const;
 
   /// The cheapest plane; axis -1 where no plane parts the centres.
   [[nodiscard]] BinnedPlane best(const BvhSegment& segment) const;

@@ -6,6 +6,9 @@
 #include "Accel/Structures/BvhDriver.h"
 #include "Accel/Structures/BvhFrame.h"
 #include "Accel/Structures/BvhMedian.h"
+#include "Accel/Structures/BvhMorton.h"
+#include "Accel/Structures/BvhSpatial.h"
+#include "Accel/Structures/BvhSweep.h"
 
 namespace lumitree
 {
@@ -13,6 +16,8 @@ namespace
 {
 
 constexpr std::size_t chunk = 16384;
+/// Spatial splits may add so many references per primitive.
+constexpr double roomForParts = 0.5;
 
 /// The surface's primitives as references, and the root's segment.
 struct Start
@@ -58,11 +63,13 @@ struct Start
 };
 
 template <class Strategy>
-void divide(Strategy strategy, const BvhSegment& root, const BuildOptions& options,
+void divide(Strategy&& strategy, const BvhSegment& root, const BuildOptions& options,
   BuildProgress& progress, BvhTree& tree)
 {
   progress.stage(0.7, root.count());
-  BvhDriver<Strategy>(strategy, options.leafSize, options.maxDepth, progress).build(root, tree);
+  BvhDriver<std::remove_reference_t<Strategy>>(
+    strategy, options.leafSize, options.maxDepth, progress)
+    .build(root, tree);
 }
 
 } // namespace
@@ -71,16 +78,31 @@ BvhTree buildBvhTree(const Surface& surface, const BuildOptions& options, BuildP
 {
   BvhTree tree;
   tree.frame = frameOf(surface.bounds());
-  Start start(surface, tree.frame, 0.0, progress);
+  tree.clipped = options.bvhBuild == BvhBuild::SpatialSplits;
+  Start start(surface, tree.frame, tree.clipped ? roomForParts : 0.0, progress);
+  BuildReferences& references = start.references;
   switch (options.bvhBuild)
   {
     case BvhBuild::LongestAxisMedian:
-      divide(
-        MedianStrategy(start.references, options.leafSize), start.root, options, progress, tree);
+      divide(MedianStrategy(references, options.leafSize), start.root, options, progress, tree);
       break;
     case BvhBuild::BinnedSah:
-      divide(BinnedStrategy(start.references, options.leafSize, progress), start.root, options,
-        progress, tree);
+      divide(BinnedStrategy(references, options.leafSize, progress), start.root, options, progress,
+        tree);
+      break;
+    case BvhBuild::SweepSah:
+      divide(
+        SweepStrategy(references, options.leafSize, progress), start.root, options, progress, tree);
+      break;
+    case BvhBuild::SpatialSplits:
+      divide(
+        SpatialStrategy(surface, tree.frame, references, start.root, options.leafSize, progress),
+        start.root, options, progress, tree);
+      break;
+    case BvhBuild::Morton:
+      divide(MortonStrategy(references, start.root, options.leafSize, progress), start.root,
+        options, progress, tree);
+      boundFromBelow(tree);
       break;
   }
   return tree;

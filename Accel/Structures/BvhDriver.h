@@ -82,11 +82,6 @@ private:
   void visit(BvhSegment& segment, std::vector<BvhTreeNode>& nodes, std::vector<BvhSegment>& waiting)
   {
     BvhTreeNode& node = nodes[segment.node];
-    for (int k = 0; k < 3; ++k)
-    {
-      node.lower[k] = segment.bounds.lower[k];
-      node.upper[k] = segment.bounds.upper[k];
-    }
     BvhSegment left;
     BvhSegment right;
     int axis = 0;
@@ -95,6 +90,7 @@ private:
     {
       PrimitiveId* const ids = this->tree_->references.data() + segment.begin;
       this->strategy_.ids(segment, ids);
+      setBox(node, segment.bounds);
       // Ascending, so that a leaf does not depend on how its node came about. Two parts of one
       // primitive may have met again.
       std::sort(ids, ids + segment.count());
@@ -102,6 +98,7 @@ private:
       node.content = static_cast<std::uint32_t>(std::unique(ids, ids + segment.count()) - ids);
       return;
     }
+    setBox(node, segment.bounds);
     node.first = static_cast<std::uint32_t>(nodes.size());
     node.content = BvhTreeNode::interiorMark + static_cast<std::uint32_t>(axis);
     left.node = node.first;
@@ -110,6 +107,15 @@ private:
     nodes.resize(nodes.size() + 2);
     waiting.push_back(right);
     waiting.push_back(left);
+  }
+
+  static void setBox(BvhTreeNode& node, const BuildBox& bounds)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      node.lower[k] = bounds.lower[k];
+      node.upper[k] = bounds.upper[k];
+    }
   }
 
   std::vector<BvhTreeNode> grow(BvhSegment segment)

@@ -29,7 +29,7 @@ public:
     return true;
   }
 
-  void ids(const BvhSegment& segment, PrimitiveId* out) const
+  void ids(BvhSegment& segment, PrimitiveId* out) const
   {
     for (std::size_t i = segment.begin; i < segment.end; ++i)
     {

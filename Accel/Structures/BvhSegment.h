@@ -17,10 +17,11 @@ namespace lumitree
 /// What divides them, a strategy, is a class with
 ///
 ///     bool split(BvhSegment& segment, bool halve, BvhSegment& left, BvhSegment& right, int& axis);
-///     void ids(const BvhSegment&, PrimitiveId* out) const;
+///     void ids(BvhSegment& leaf, PrimitiveId* out) const;
 ///
 /// split divides a segment of at least two references into two that hold one at least, by
 /// reordering its own stretch, or returns false: it is to be a leaf. halve asks for two halves.
+/// ids writes the primitives of a leaf and sets its bounds, where the strategy bounds from below.
 /// Threads work on stretches that do not overlap.
 struct BvhSegment
 {

@@ -334,6 +334,93 @@ TEST(Builders, DepthAndLeafSizeAreKept)
   }
 }
 
+/// Small triangles, and large ones among them whose boxes are nearly empty.
+std::shared_ptr<const Surface> mixedSizes(int count)
+{
+  Uniform uniform(3);
+  const auto vector = [&](double low, double high) -> Vec3
+  {
+    const double x = uniform(low, high);
+    const double y = uniform(low, high);
+    return { x, y, uniform(low, high) };
+  };
+  std::vector<Corners> triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 p = vector(0, 10);
+    const double size = i % 20 == 0 ? 8.0 : 0.1;
+    const Vec3 a = size * vector(-1, 1);
+    triangles.push_back({ p, p + a, p + size * vector(-1, 1) });
+  }
+  return surfaceOf<double>(triangles);
+}
+
+TEST(Builders, SpatialSplitsCutWhereItPaysAndKeepToTheirBounds)
+{
+  const auto surface = mixedSizes(4000);
+  const auto oracle = build(surface, optionsOf(Structure::BruteForce));
+  const Rays rays = raysAround(*surface, 300, 4);
+  AllHits wanted;
+  oracle->all(rays.batch(), wanted, with(Precision::Exact));
+  for (const Structure structure : { Structure::Bvh, Structure::WideBvh })
+  {
+    const auto whole = build(surface, optionsOf(structure, BvhBuild::BinnedSah));
+    const auto cut = build(surface, optionsOf(structure, BvhBuild::SpatialSplits));
+    EXPECT_LT(cut->statistics().sahCost, 0.7 * whole->statistics().sahCost);
+    EXPECT_GT(cut->statistics().duplication, 1.0);
+    EXPECT_LE(cut->statistics().duplication, 1.5);
+    AllHits all;
+    cut->all(rays.batch(), all, with(Precision::Exact));
+    ASSERT_EQ(all.offsets, wanted.offsets);
+    for (std::size_t i = 0; i < all.hits.size(); ++i)
+    {
+      ASSERT_TRUE(sameBits(all.hits[i], wanted.hits[i])) << "hit " << i;
+    }
+    std::vector<std::uint32_t> counts(rays.size());
+    cut->count(rays.batch(), counts.data(), with(Precision::Exact));
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      ASSERT_EQ(counts[i], wanted.offsets[i + 1] - wanted.offsets[i]);
+    }
+  }
+}
+
+TEST(Builders, EveryWayToBuildABvhAnswersAsBruteForceDoes)
+{
+  const std::vector<std::shared_ptr<const Surface>> surfaces = { mixedSizes(600),
+    surfaceOf<float>(data::teapot(4)), surfaceOf<float>(data::terrain(8, 1, 0.0)) };
+  for (const auto& surface : surfaces)
+  {
+    const Rays rays = raysAround(*surface, 300, 4);
+    std::vector<Hit> wanted(rays.size());
+    build(surface, optionsOf(Structure::BruteForce))
+      ->closest(rays.batch(), wanted.data(), with(Precision::Exact));
+    for (const Structure structure : { Structure::Bvh, Structure::WideBvh })
+    {
+      for (int way = 0; way < bvhBuildCount; ++way)
+      {
+        for (const int leafSize : { 1, 3, 4, 16 })
+        {
+          BuildOptions options = optionsOf(structure, static_cast<BvhBuild>(way));
+          options.leafSize = leafSize;
+          SCOPED_TRACE(label(options) + ", leaves of " + std::to_string(leafSize));
+          const auto tree = build(surface, options);
+          std::vector<Hit> hits(rays.size());
+          tree->closest(rays.batch(), hits.data(), with(Precision::Exact));
+          for (std::size_t i = 0; i < rays.size(); ++i)
+          {
+            ASSERT_TRUE(sameBits(hits[i], wanted[i])) << "ray " << i;
+          }
+          for (const HierarchyNode& node : tree->hierarchy().nodes)
+          {
+            ASSERT_TRUE(!node.leaf || node.referenceCount <= static_cast<std::uint32_t>(leafSize));
+          }
+        }
+      }
+    }
+  }
+}
+
 void expectSameStructure(const Accelerator& a, const Accelerator& b)
 {
   const HierarchyView x = a.hierarchy();

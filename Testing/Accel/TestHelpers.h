@@ -150,7 +150,7 @@ inline constexpr std::array<Precision, precisionCount> everyPrecision = { Precis
   Precision::Watertight, Precision::Exact };
 
 /// Every structure of our own that this process offers (references make promises of their own),
-/// binary BVHs and KD-trees once per way to build them.
+/// BVHs and KD-trees once per way to build them.
 inline std::vector<BuildOptions> ownStructures()
 {
   std::vector<BuildOptions> all;
@@ -162,6 +162,9 @@ inline std::vector<BuildOptions> ownStructures()
     }
   }
   all.push_back(optionsOf(Structure::Bvh, BvhBuild::LongestAxisMedian));
+  all.push_back(optionsOf(Structure::Bvh, BvhBuild::SweepSah));
+  all.push_back(optionsOf(Structure::WideBvh, BvhBuild::SpatialSplits));
+  all.push_back(optionsOf(Structure::WideBvh, BvhBuild::Morton));
   all.push_back(optionsOf(Structure::KdTree));
   all.back().kdBuild = KdBuild::SpatialMedian;
   return all;

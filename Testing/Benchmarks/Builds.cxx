@@ -39,6 +39,7 @@ struct Contender
 {
   std::string name;
   std::function<BuildStatistics()> build;
+  std::function<std::shared_ptr<const Accelerator>()> accelerator; ///< of our own
   double best = 1e300;
   BuildStatistics statistics;
 };
@@ -55,7 +56,8 @@ void addOurs(
   {
     title += ", " + std::string(name(options.kdBuild));
   }
-  all.push_back({ title, [=] { return build(surface, options)->statistics(); }, 1e300, {} });
+  all.push_back({ title, [=] { return build(surface, options)->statistics(); },
+    [=] { return build(surface, options); }, 1e300, {} });
 }
 
 std::vector<Contender> contenders(
@@ -73,7 +75,7 @@ std::vector<Contender> contenders(
         statistics.buildSeconds = embree.commitSeconds();
         return statistics;
       },
-      1e300, {} });
+      {}, 1e300, {} });
   }
   BuildOptions options;
   options.threads = threads;
@@ -99,6 +101,23 @@ std::vector<Contender> contenders(
     }
   }
   return all;
+}
+
+/// Nanoseconds of processor time per ray that bounced off what the camera sees; exact, one thread.
+double traced(const Accelerator& accelerator, const Rays& rays)
+{
+  std::vector<Hit> hits(rays.size());
+  QueryOptions query;
+  query.precision = Precision::Exact;
+  query.threads = 1;
+  double best = 1e300;
+  for (int r = 0; r < 3; ++r)
+  {
+    const double start = now(true);
+    accelerator.closest(rays.batch(), hits.data(), query);
+    best = std::min(best, now(true) - start);
+  }
+  return 1e9 * best / static_cast<double>(rays.size());
 }
 
 Scene chosen(const std::string& name)
@@ -148,16 +167,21 @@ void measure(const Scene& scene, int threads, int repeats, const std::string& on
       c.best = std::min(c.best, c.name.rfind("Embree", 0) == 0 ? c.statistics.buildSeconds : time);
     }
   }
+  const Rays camera = cameraRays(scene, 200);
+  std::vector<Hit> seen(camera.size());
+  build(surface)->closest(camera.batch(), seen.data());
+  const Rays rays = bounces(*surface, camera, seen);
   const auto triangles = static_cast<double>(scene.triangles.size());
   std::printf("\n%s, %.0f triangles, threads %d, best of %d\n\n"
               "| structure | build [ms] | bytes per triangle | expected cost | references per "
-              "triangle | nodes |\n| --- | --- | --- | --- | --- | --- |\n",
+              "triangle | nodes | ray [ns] |\n| --- | --- | --- | --- | --- | --- | --- |\n",
     scene.name.c_str(), triangles, threads, repeats);
   for (const Contender& c : all)
   {
-    std::printf("| %s | %.1f | %.0f | %.2f | %.2f | %zu |\n", c.name.c_str(), 1e3 * c.best,
+    std::printf("| %s | %.1f | %.0f | %.2f | %.2f | %zu | %.0f |\n", c.name.c_str(), 1e3 * c.best,
       static_cast<double>(c.statistics.memory) / triangles, c.statistics.sahCost,
-      c.statistics.duplication, c.statistics.nodes);
+      c.statistics.duplication, c.statistics.nodes,
+      c.accelerator ? traced(*c.accelerator(), rays) : 0.0);
   }
   std::fflush(stdout);
 }
