@@ -4,8 +4,10 @@
 #define Lumitree_Accel_Hierarchy_h
 
 #include "Accel/Box.h"
+#include "Accel/Export.h"
 #include "Accel/Hit.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -36,13 +38,14 @@ struct HierarchyView
 {
   std::vector<HierarchyNode> nodes;
   std::vector<PrimitiveId> references;
+  std::array<int, 3> gridResolution = { 0, 0, 0 }; ///< cells of a grid along x, y, z; else 0
 };
 
 class Surface;
 struct BuildStatistics;
 
 /// Fills in each node's cost and each interior node's number of references from the leaves.
-void completeHierarchy(HierarchyView& view);
+LUMITREE_ACCEL_EXPORT void completeHierarchy(HierarchyView& view);
 
 /// References per primitive that can be hit; 1 where there is none.
 [[nodiscard]] double duplicationOf(std::size_t references, const Surface& surface);

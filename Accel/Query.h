@@ -22,6 +22,13 @@ struct RayCounters
   std::uint32_t primitives = 0; ///< primitives tested, a repeated test counted again
 };
 
+/// What the canonical walks of a batch of rays did to one primitive.
+struct PrimitiveCounters
+{
+  std::uint64_t tested = 0; ///< tests, a repeated test of one ray counted again
+  std::uint64_t hit = 0;    ///< hits among the answers: of Closest and Any at most one a ray
+};
+
 /// How a long job talks to the thread that started it. Only that thread calls onProgress; workers
 /// read the flag.
 struct JobControl
@@ -42,6 +49,7 @@ struct QueryOptions
   JobControl* control = nullptr;
   RayCounters* perRay = nullptr;    ///< one per ray, overwritten; null: not counted
   std::uint64_t* perNode = nullptr; ///< visits, one per node of hierarchy(), added to; or null
+  PrimitiveCounters* perPrimitive = nullptr; ///< one per primitive, added to; or null
 };
 
 /// What is to be known of a batch beside its answers.

@@ -42,6 +42,13 @@ public:
     if (options.perNode)
     {
       this->visits_.resize(runner.nodeCount_);
+      this->counts_.perNode = this->visits_.data();
+    }
+    if (options.perPrimitive)
+    {
+      this->tests_.resize(runner.surface_.size());
+      this->counts_.perPrimitive = this->tests_.data();
+      this->counts_.addTests = primitiveTests(scalar);
     }
   }
 
@@ -55,10 +62,10 @@ public:
     if (valid)
     {
       this->setSkips(i);
-      if (this->options_.perRay || this->options_.perNode)
+      if (this->options_.perRay || this->options_.perNode || this->options_.perPrimitive)
       {
-        CountingVisitor visitor(this->state_, this->leafKernel_, this->runner_.blocks_, counters,
-          this->options_.perNode ? this->visits_.data() : nullptr);
+        CountingVisitor visitor(
+          this->state_, this->leafKernel_, this->runner_.blocks_, counters, this->counts_);
         this->runner_.walks_.counting(this->runner_.structure_, this->state_, visitor);
       }
       else if (this->rayKernel_)
@@ -81,6 +88,15 @@ public:
 
   [[nodiscard]] RayState& state() { return this->state_; }
 
+  /// Counts a hit that is part of the answer.
+  void countHit(PrimitiveId primitive)
+  {
+    if (!this->tests_.empty())
+    {
+      ++this->tests_[primitive].hit;
+    }
+  }
+
   void addTo(QueryReport& report) const
   {
     report.invalidRays += this->invalid_;
@@ -89,6 +105,11 @@ public:
     for (std::size_t n = 0; n < this->visits_.size(); ++n)
     {
       this->options_.perNode[n] += this->visits_[n];
+    }
+    for (std::size_t p = 0; p < this->tests_.size(); ++p)
+    {
+      this->options_.perPrimitive[p].tested += this->tests_[p].tested;
+      this->options_.perPrimitive[p].hit += this->tests_[p].hit;
     }
   }
 
@@ -112,6 +133,8 @@ private:
   RayKernel rayKernel_ = nullptr;
   std::uint64_t invalid_ = 0;
   std::vector<std::uint64_t> visits_;
+  std::vector<PrimitiveCounters> tests_;
+  TraversalCounts counts_;
 };
 
 BatchRunner::BatchRunner(const Surface& surface, const void* structure, StructureWalks walks,
@@ -133,10 +156,11 @@ QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryO
       std::string(name(options.precision)) + "' does not know, only '" +
       std::string(name(Precision::Exact)) + "'");
   }
-  // Visits are counted per chunk and then added, so chunks are large where the structure has many
-  // nodes.
-  const std::size_t chunk =
-    options.perNode ? std::max(raysPerChunk, this->nodeCount_ / 4) : raysPerChunk;
+  // Visits and tests are counted per chunk and then added, so chunks are large where there are many
+  // nodes or primitives.
+  const std::size_t counted = std::max(options.perNode ? this->nodeCount_ : 0,
+    options.perPrimitive ? this->surface_.size() : std::size_t{ 0 });
+  const std::size_t chunk = std::max(raysPerChunk, counted / 4);
   QueryReport report;
   std::mutex mutex;
   report.completed = parallelFor(rays.size, chunk, options.threads, options.control,
@@ -161,6 +185,7 @@ QueryReport BatchRunner::closest(const RayBatch& rays, Hit* hits, const QueryOpt
         if (work.trace(i) && work.state().best.primitive != noPrimitive)
         {
           hits[i] = finish(work.state(), work.state().best, options);
+          work.countHit(hits[i].primitive);
         }
       }
     });
@@ -176,6 +201,10 @@ QueryReport BatchRunner::any(
       for (std::size_t i = begin; i < end; ++i)
       {
         hit[i] = work.trace(i) && work.state().best.primitive != noPrimitive ? 1 : 0;
+        if (hit[i] != 0)
+        {
+          work.countHit(work.state().best.primitive);
+        }
       }
     });
 }
@@ -216,6 +245,10 @@ QueryReport BatchRunner::numbers(
         {
           dropDuplicates(work.state());
           counts[i] = static_cast<std::uint32_t>(work.state().found.size());
+          for (const Candidate& c : work.state().found)
+          {
+            work.countHit(c.primitive);
+          }
         }
       }
     });
@@ -253,7 +286,12 @@ QueryReport BatchRunner::lists(
         {
           arrange(work.state(), query, options.precision);
           out.offsets[i + 1] = work.state().found.size();
+          const std::size_t before = part.hits.size();
           finish(work.state(), query, options, part.hits);
+          for (std::size_t h = before; h < part.hits.size(); ++h)
+          {
+            work.countHit(part.hits[h].primitive);
+          }
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);

@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Kernel_Visitors_h
 
 #include "Accel/Kernel/LeafKernels.h"
+#include "Accel/Kernel/PrimitiveTests.h"
 #include "Accel/Query.h"
 
 #include <atomic>
@@ -38,24 +39,33 @@ private:
   const void* blocks_;
 };
 
-/// The same, and counts per ray and per node.
+/// Where a walk is counted; null where it is not.
+struct TraversalCounts
+{
+  std::uint64_t* perNode = nullptr;
+  PrimitiveCounters* perPrimitive = nullptr;
+  PrimitiveTests addTests = nullptr;
+};
+
+/// The same, and counts per ray, per node and per primitive.
 class CountingVisitor
 {
 public:
   CountingVisitor(RayState& state, LeafKernel kernel, const void* blocks, RayCounters& counters,
-    std::uint64_t* perNode)
+    const TraversalCounts& counts)
     : visitor_(state, kernel, blocks)
+    , blocks_(blocks)
     , counters_(counters)
-    , perNode_(perNode)
+    , counts_(counts)
   {
   }
 
   void node(std::uint32_t i)
   {
     ++this->counters_.nodes;
-    if (this->perNode_)
+    if (this->counts_.perNode)
     {
-      ++this->perNode_[i];
+      ++this->counts_.perNode[i];
     }
   }
   void cell() { ++this->counters_.cells; }
@@ -65,13 +75,18 @@ public:
   {
     ++this->counters_.leaves;
     this->counters_.primitives += span.count;
+    if (this->counts_.perPrimitive)
+    {
+      this->counts_.addTests(this->blocks_, span, this->counts_.perPrimitive);
+    }
     return this->visitor_.leaf(span);
   }
 
 private:
   LeafVisitor visitor_;
+  const void* blocks_;
   RayCounters& counters_;
-  std::uint64_t* perNode_;
+  TraversalCounts counts_;
 };
 
 } // namespace lumitree

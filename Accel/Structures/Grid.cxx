@@ -62,6 +62,7 @@ public:
     for (int k = 0; k < 3; ++k)
     {
       all.last[k] = lattice.count(k) - 1;
+      view.gridResolution[k] = lattice.count(k);
     }
     view.nodes[0].box = lattice.box(all);
     view.nodes[0].leaf = this->cells_.leaves.empty();

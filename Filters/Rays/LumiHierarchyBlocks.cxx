@@ -11,6 +11,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkPoints.h"
@@ -173,6 +174,51 @@ vtkNew<vtkPolyData> makeBlock(const HierarchyView& hierarchy, const std::uint64_
   return block;
 }
 
+/// The cells of a grid as an image, empty ones included.
+vtkSmartPointer<vtkImageData> makeOccupancy(
+  const HierarchyView& hierarchy, const std::uint64_t* visits, const HierarchyOptions& options)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  if (options.drawNothing)
+  {
+    return image;
+  }
+  const Box& box = hierarchy.nodes.front().box;
+  const std::array<int, 3>& cells = hierarchy.gridResolution;
+  Vec3 spacing;
+  for (int k = 0; k < 3; ++k)
+  {
+    spacing[k] = (box.upper[k] - box.lower[k]) / cells[k];
+    spacing[k] = spacing[k] > 0 ? spacing[k] : 1.0; // VTK wants cells with an extent
+  }
+  image->SetOrigin(box.lower.data());
+  image->SetSpacing(spacing.data());
+  image->SetDimensions(cells[0] + 1, cells[1] + 1, cells[2] + 1);
+  const vtkIdType count = image->GetNumberOfCells();
+  auto* const held = addArray<vtkIdTypeArray>(image->GetCellData(), "PrimitiveCount", count);
+  auto* const entered =
+    visits ? addArray<vtkIdTypeArray>(image->GetCellData(), "Visits", count) : nullptr;
+  std::fill_n(held, count, 0);
+  std::fill_n(entered, entered ? count : 0, 0);
+  for (std::size_t i = 1; i < hierarchy.nodes.size(); ++i)
+  {
+    const Vec3 middle = hierarchy.nodes[i].box.centre();
+    vtkIdType cell = 0;
+    for (int k = 2; k >= 0; --k)
+    {
+      const auto slab = static_cast<int>((middle[k] - box.lower[k]) / spacing[k]);
+      cell = cell * cells[k] + std::min(std::max(slab, 0), cells[k] - 1);
+    }
+    held[cell] = hierarchy.nodes[i].referenceCount;
+    if (entered)
+    {
+      entered[cell] = static_cast<vtkIdType>(visits[i]);
+    }
+  }
+  image->GetCellData()->SetActiveScalars("PrimitiveCount");
+  return image;
+}
+
 } // namespace
 
 HierarchyReport makeHierarchyBlocks(const HierarchyView& hierarchy, const std::uint64_t* visits,
@@ -200,7 +246,7 @@ HierarchyReport makeHierarchyBlocks(const HierarchyView& hierarchy, const std::u
 
   HierarchyReport report;
   unsigned int block = 0;
-  const auto append = [&](vtkPolyData* data, const std::string& name)
+  const auto append = [&](vtkDataObject* data, const std::string& name)
   {
     blocks->SetBlock(block, data);
     blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
@@ -232,6 +278,10 @@ HierarchyReport makeHierarchyBlocks(const HierarchyView& hierarchy, const std::u
     {
       append(makeBlock(hierarchy, visits, leaves, options), "Leaves");
     }
+  }
+  if (options.occupancy && hierarchy.gridResolution[0] > 0)
+  {
+    append(makeOccupancy(hierarchy, visits, options), "Occupancy");
   }
   return report;
 }

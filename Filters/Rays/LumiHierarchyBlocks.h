@@ -26,7 +26,8 @@ struct HierarchyOptions
   int maximumLevel = 0;
   std::int64_t maximumNodes =
     0;                      ///< levels that would exceed this sum are left out; so are the leaves
-  bool leaves = false;      ///< a last block with all leaves
+  bool leaves = false;      ///< a block with all leaves
+  bool occupancy = false;   ///< of a grid, a last block with its cells as an image
   bool drawNothing = false; ///< the same blocks, all empty: rank 0 draws for all
   int threads = 0;
 };

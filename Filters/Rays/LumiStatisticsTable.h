@@ -13,9 +13,10 @@ namespace lumitree::filters
 {
 
 /// The output Statistics (Docs/data-model.md): its columns, with one row, or with none when withRow
-/// is false.
-void makeStatisticsTable(
-  const Accelerator& accelerator, const Visits& visits, bool withRow, vtkTable* table);
+/// is false. view is the accelerator's. measureOverlap: also the end-point overlap, which takes
+/// time.
+void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& view,
+  const Visits& visits, bool measureOverlap, bool withRow, vtkTable* table);
 
 } // namespace lumitree::filters
 

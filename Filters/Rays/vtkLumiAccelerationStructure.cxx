@@ -52,6 +52,8 @@ void vtkLumiAccelerationStructure::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "MaximumNodes: " << this->MaximumNodes << "\n";
   os << indent << "ShowLeaves: " << (this->ShowLeaves ? "on" : "off") << "\n";
+  os << indent << "ShowOccupancy: " << (this->ShowOccupancy ? "on" : "off") << "\n";
+  os << indent << "MeasureOverlap: " << (this->MeasureOverlap ? "on" : "off") << "\n";
 }
 
 int vtkLumiAccelerationStructure::FillInputPortInformation(int port, vtkInformation* info)
@@ -114,7 +116,8 @@ int vtkLumiAccelerationStructure::RequestData(
       !filters::isDistributed(controller) || controller->GetLocalProcessId() == 0;
     Internals::Draw(this, hierarchy, hasRays ? visits.perNode.data() : nullptr, !isFirst,
       vtkMultiBlockDataSet::GetData(outputs, 0));
-    filters::makeStatisticsTable(accelerator, visits, isFirst, vtkTable::GetData(outputs, 1));
+    filters::makeStatisticsTable(
+      accelerator, hierarchy, visits, this->MeasureOverlap, isFirst, vtkTable::GetData(outputs, 1));
   }
   catch (const std::exception& problem)
   {
@@ -157,6 +160,7 @@ void vtkLumiAccelerationStructure::Internals::Draw(vtkLumiAccelerationStructure*
   options.maximumLevel = self->MaximumLevel;
   options.maximumNodes = self->MaximumNodes;
   options.leaves = self->ShowLeaves;
+  options.occupancy = self->ShowOccupancy;
   options.drawNothing = drawNothing;
   options.threads = filters::threadsFor(self->GetNumberOfThreads());
   const filters::HierarchyReport report =

@@ -91,6 +91,26 @@ public:
   vtkBooleanMacro(ShowLeaves, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether, of a grid, a last block "Occupancy" holds its cells as a vtkImageData, with the cell
+   * array PrimitiveCount and, with rays, Visits. Other structures give no such block. Default off.
+   */
+  vtkSetMacro(ShowOccupancy, bool);
+  vtkGetMacro(ShowOccupancy, bool);
+  vtkBooleanMacro(ShowOccupancy, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the table tells the EndPointOverlap of the boxes of a bounding volume hierarchy (Aila,
+   * Karras and Laine 2013). It takes about as long as building. Default off.
+   */
+  vtkSetMacro(MeasureOverlap, bool);
+  vtkGetMacro(MeasureOverlap, bool);
+  vtkBooleanMacro(MeasureOverlap, bool);
+  ///@}
+
 protected:
   vtkLumiAccelerationStructure();
   ~vtkLumiAccelerationStructure() override;
@@ -109,6 +129,8 @@ private:
   int MaximumLevel = 10;
   vtkIdType MaximumNodes = 100000;
   bool ShowLeaves = false;
+  bool ShowOccupancy = false;
+  bool MeasureOverlap = false;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

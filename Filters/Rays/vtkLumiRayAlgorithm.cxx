@@ -53,6 +53,10 @@ int vtkLumiRayAlgorithm::RequestInformation(
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
+    if (port == this->SurfaceOutputPort())
+    {
+      continue; // VTK has given it that of the surface
+    }
     filters::describeOutput(inputs[1]->GetInformationObject(0), // null without rays
       outputs->GetInformationObject(port), port == this->RaysOutputPort());
   }

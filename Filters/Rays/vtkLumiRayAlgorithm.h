@@ -74,6 +74,11 @@ protected:
    */
   virtual int RaysOutputPort() { return -1; }
 
+  /**
+   * The output port whose grid is that of the surface, or -1.
+   */
+  virtual int SurfaceOutputPort() { return -1; }
+
 private:
   vtkLumiRayAlgorithm(const vtkLumiRayAlgorithm&) = delete;
   void operator=(const vtkLumiRayAlgorithm&) = delete;

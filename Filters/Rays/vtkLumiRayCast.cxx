@@ -9,17 +9,20 @@
 #include "LumiPorts.h"
 #include "LumiRaysOutput.h"
 #include "LumiSettings.h"
+#include "LumiSurfaceCost.h"
 #include "LumiSurfaceData.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <exception>
 #include <optional>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -35,9 +38,16 @@ struct vtkLumiRayCast::Internals
 {
   std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
 
-  /// Casts the rays over the tree and fills both outputs. Throws what the accelerator throws.
+  /// Casts the rays over the tree, adds to tests (one per primitive, or none) and fills the outputs
+  /// of hits and rays. Throws what the accelerator throws.
   static void Cast(vtkLumiRayCast* self, const filters::RayInput& rays, vtkDataSet* raysInput,
-    vtkPolyData* hitsOutput, vtkDataSet* raysOutput);
+    std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput,
+    vtkDataSet* raysOutput);
+
+  /// Fills the output that is the surface.
+  static void MakeSurface(vtkLumiRayCast* self,
+    const std::vector<lumitree::PrimitiveCounters>& tests, vtkDataObject* input,
+    vtkDataObject* output);
 
   /// Fills the output of a cast that gives hits.
   static void MakeHits(vtkLumiRayCast* self, const filters::RayInput& rays,
@@ -49,6 +59,7 @@ vtkStandardNewMacro(vtkLumiRayCast);
 vtkLumiRayCast::vtkLumiRayCast()
   : Impl(new Internals)
 {
+  this->SetNumberOfOutputPorts(3);
 }
 
 vtkLumiRayCast::~vtkLumiRayCast() = default;
@@ -74,8 +85,11 @@ int vtkLumiRayCast::RequestDataObject(
   {
     outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
   }
-  return filters::makeOutputLike(
-    vtkDataObject::GetData(inputs[1], 0), outputs->GetInformationObject(1));
+  const int surface =
+    filters::makeOutputLike(vtkDataObject::GetData(inputs[0], 0), outputs->GetInformationObject(2));
+  const int rays =
+    filters::makeOutputLike(vtkDataObject::GetData(inputs[1], 0), outputs->GetInformationObject(1));
+  return surface && rays ? 1 : 0;
 }
 
 int vtkLumiRayCast::RequestData(
@@ -88,32 +102,47 @@ int vtkLumiRayCast::RequestData(
     this->PassSurfaceData ? filters::GatherArrays::Yes : filters::GatherArrays::No,
     buildJob.control());
 
-  filters::RayInput rays;
-  vtkDataObject* raysInput = vtkDataObject::GetData(inputs[1], 0);
-  if (!this->Impl->Tree || !filters::readRays(this, raysInput, rays))
+  if (!this->Impl->Tree)
   {
     return 1; // reported, or stopped; returning 0 would make VTK report it a second time
   }
+  std::vector<lumitree::PrimitiveCounters> tests(
+    this->CountTraversal ? this->Impl->Tree->input->surface->size() : 0);
+  bool complete = false;
   try
   {
-    Internals::Cast(this, rays, vtkDataSet::SafeDownCast(raysInput),
-      vtkPolyData::GetData(outputs, 0), vtkDataSet::GetData(outputs, 1));
+    filters::RayInput rays;
+    vtkDataObject* raysInput = vtkDataObject::GetData(inputs[1], 0);
+    if (filters::readRays(this, raysInput, rays))
+    {
+      Internals::Cast(this, rays, vtkDataSet::SafeDownCast(raysInput), tests,
+        vtkPolyData::GetData(outputs, 0), vtkDataSet::GetData(outputs, 1));
+      complete = true;
+    }
   }
   catch (const std::exception& problem)
   {
     vtkErrorMacro(<< problem.what());
   }
+  filters::sumOverRanks(tests, this->GetController());
+  if (complete)
+  {
+    Internals::MakeSurface(
+      this, tests, vtkDataObject::GetData(inputs[0], 0), vtkDataObject::GetData(outputs, 2));
+  }
   return 1;
 }
 
 void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInput& rays,
-  vtkDataSet* raysInput, vtkPolyData* hitsOutput, vtkDataSet* raysOutput)
+  vtkDataSet* raysInput, std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput,
+  vtkDataSet* raysOutput)
 {
   const filters::Tree& tree = *self->Impl->Tree;
   const filters::Buffer<lumitree::RayCounters> counters(self->CountTraversal ? rays.batch.size : 0);
   filters::Job job(self, buildShare, 0.9);
   lumitree::QueryOptions options = filters::queryOptions(self, job);
   options.perRay = counters.data();
+  options.perPrimitive = tests.empty() ? nullptr : tests.data();
   const filters::Cast cast(
     static_cast<lumitree::QueryKind>(self->GetQuery()), *tree.accelerator, rays.batch, options);
   filters::warnOfInvalidRays(self, cast.report(), rays);
@@ -129,6 +158,20 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
   vtkDataSetAttributes* data = filters::makeRaysOutput(raysInput, rays, raysOutput);
   filters::addRayArrays(
     cast, layout ? &*layout : nullptr, *tree.input, counters.data(), options.threads, data);
+}
+
+void vtkLumiRayCast::Internals::MakeSurface(vtkLumiRayCast* self,
+  const std::vector<lumitree::PrimitiveCounters>& tests, vtkDataObject* input,
+  vtkDataObject* output)
+{
+  filters::copySurface(input, output);
+  if (self->CountTraversal)
+  {
+    vtkMultiProcessController* controller = self->GetController();
+    const filters::Tree& tree = *self->Impl->Tree;
+    filters::addSurfaceCost(*tree.input, *tree.accelerator, tests,
+      controller ? controller->GetLocalProcessId() : 0, output);
+  }
 }
 
 void vtkLumiRayCast::Internals::MakeHits(vtkLumiRayCast* self, const filters::RayInput& rays,

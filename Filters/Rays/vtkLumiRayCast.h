@@ -15,7 +15,8 @@
  * primitive); none for the queries Any and Count. Port 1 *Rays*, the rays as they came with
  * HitMask, HitCount and more, in the point data, for lines in the cell data. Where polylines have
  * several segments, or lines come among other cells, port 1 holds a line cell per segment, and only
- * those.
+ * those. Port 2 *Surface*, the surface as it came, on request (CountTraversal) with what the rays
+ * cost each cell.
  *
  * T is in units of |direction|, which is never normalised: the hit lies at origin + T * direction.
  * Limits are closed. A miss is -1 for ids and +infinity for T. Every array of both outputs is
@@ -63,7 +64,9 @@ public:
   ///@{
   /**
    * Whether rays get NodesEntered, CellsStepped, LeavesVisited and PrimitivesTested, what the walk
-   * of each ray alone costs. Counting is slower than not counting. Default off.
+   * of each ray alone costs, and the cells of the surface RayTests, RayHits and LeafReferences, how
+   * often they were tested and hit, and how many leaves hold them. Counting is slower than not
+   * counting. Default off.
    */
   vtkSetMacro(CountTraversal, bool);
   vtkGetMacro(CountTraversal, bool);
@@ -88,6 +91,7 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RaysOutputPort() override { return 1; }
+  int SurfaceOutputPort() override { return 2; }
 
 private:
   vtkLumiRayCast(const vtkLumiRayCast&) = delete;

@@ -57,8 +57,8 @@ public:
     : surface_(surface)
     , same_(mergedPoints(surface, mergePoints))
   {
-    this->result_.defects.assign(surface.size(), Defect::None);
-    this->result_.components.assign(surface.size(), -1);
+    this->result_.defects.assign(surface.triangleCount(), Defect::None);
+    this->result_.components.assign(surface.triangleCount(), -1);
     this->result_.boundary.assign(surface.pointCount(), 0);
     this->result_.nonManifold.assign(surface.pointCount(), 0);
   }
@@ -69,7 +69,7 @@ public:
     const std::vector<PrimitiveId>& hittable = this->surface_.hittable();
     std::vector<bool> used(this->surface_.pointCount(), false);
     auto next = hittable.begin();
-    for (PrimitiveId i = 0; i < this->surface_.size(); ++i)
+    for (PrimitiveId i = 0; i < this->surface_.triangleCount(); ++i)
     {
       const Triangle& t = this->surface_.triangle(i);
       const bool isHittable = next != hittable.end() && *next == i;
@@ -299,6 +299,10 @@ private:
     double twice = 0.0;
     for (const PrimitiveId i : this->surface_.hittable())
     {
+      if (this->surface_.isQuadric(i))
+      {
+        continue;
+      }
       const auto v = this->surface_.vertices(i);
       twice += length(cross(v[1] - v[0], v[2] - v[0]));
       six += dot(v[0] - middle, cross(v[1] - middle, v[2] - middle));

@@ -163,7 +163,7 @@ void makeReportTable(const Surface& surface, const SurfaceCheck& check, vtkTable
   flag("Orientable", check.orientable);
   flag("WatertightApplies", check.closed);
   flag("InsideOutsideApplies", check.closed && check.even);
-  number("Triangles", surface.size());
+  number("Triangles", surface.triangleCount());
   number("Points", check.points);
   number("MergedPoints", check.mergedPoints);
   number("Edges", check.edges);

@@ -53,13 +53,16 @@ class Hits:
     ================= ======== ======= ===== ===================================================
 
     `rays` and `hits` are the same as VTK data sets: the rays with their results as arrays, and a
-    point for every hit. Arrays share memory with them.
+    point for every hit. `surface` is the mesh; with ``cost=True`` its cells have ``RayTests``,
+    ``RayHits`` and ``LeafReferences``: how often each was tested and hit, and how many leaves hold
+    it. Arrays share memory with them.
     """
 
     hit: np.ndarray
     count: np.ndarray
     rays: vtkDataSet
     hits: vtkPolyData
+    surface: vtkDataObject
     t: np.ndarray | None = None
     cell_id: np.ndarray | None = None
     composite_index: np.ndarray | None = None
@@ -245,6 +248,9 @@ def _hits(filter_: vtkLumiRayCast, query: Query, cost: bool) -> Hits:
     ray_set = filter_.GetOutputDataObject(1).NewInstance()
     ray_set.ShallowCopy(filter_.GetOutputDataObject(1))
 
+    surface = filter_.GetOutputDataObject(2).NewInstance()
+    surface.ShallowCopy(filter_.GetOutputDataObject(2))
+
     per_ray, per_hit = ray_set.GetPointData(), hits.GetPointData()
     if not per_ray.HasArray("HitMask"):
         per_ray = ray_set.GetCellData()
@@ -260,4 +266,4 @@ def _hits(filter_: vtkLumiRayCast, query: Query, cost: bool) -> Hits:
     if cost:
         result["cost"] = {key: from_vtk(per_ray, name) for key, name in COST_ARRAYS.items()}
     hit, count = from_vtk(per_ray, "HitMask").view(bool), from_vtk(per_ray, "HitCount")
-    return Hits(hit, count, ray_set, hits, **result)
+    return Hits(hit, count, ray_set, hits, surface, **result)

@@ -43,6 +43,8 @@ def hierarchy(
     max_level: int = 10,
     leaves: bool = False,
     as_faces: bool = False,
+    occupancy: bool = False,
+    overlap: bool = False,
     progress: Callable[[float], None] | None = None,
     **build: object,
 ) -> Hierarchy:
@@ -55,6 +57,8 @@ def hierarchy(
     max_level : the deepest level that is drawn, 0 to 64; statistics are of the whole tree.
     leaves : whether a last block ``Leaves`` holds all leaves again.
     as_faces : draw a node as six faces instead of twelve lines.
+    occupancy : of a grid, whether a last block ``Occupancy`` holds its cells as an image.
+    overlap : whether statistics tell ``EndPointOverlap``; takes about as long as building.
 
     Raises ValueError for wrong names and types, LumitreeError for what the filter refuses.
     """
@@ -63,6 +67,8 @@ def hierarchy(
     set_structure(tree, structure, **build)
     tree.SetMaximumLevel(in_range(max_level, 0, 64, "max_level"))
     tree.SetShowLeaves(bool(leaves))
+    tree.SetShowOccupancy(bool(occupancy))
+    tree.SetMeasureOverlap(bool(overlap))
     tree.SetRepresentation(tree.Cells if as_faces else tree.Outlines)
     if rays is not None:
         tree.SetRaysData(rays)

@@ -3,6 +3,8 @@
 // Every structure as a list of nodes, and the counters that refer to it.
 #include "TestHelpers.h"
 
+#include "Accel/EndPointOverlap.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -216,6 +218,57 @@ void askAll(
   }
 }
 
+TEST(Overlap, OfTwoBoxesIsWhatLiesInBoth)
+{
+  // Two unit squares in z = 0 that share a quarter, as two leaves under a root of their own.
+  const auto square = [](double x, double y)
+  {
+    const Vec3 a{ x, y, 0 };
+    const Vec3 b{ x + 1, y, 0 };
+    const Vec3 c{ x + 1, y + 1, 0 };
+    const Vec3 d{ x, y + 1, 0 };
+    return std::vector<std::array<Vec3, 3>>{ { a, b, c }, { a, c, d } };
+  };
+  std::vector<std::array<Vec3, 3>> triangles = square(0, 0);
+  for (const auto& triangle : square(0.5, 0.5))
+  {
+    triangles.push_back(triangle);
+  }
+  const auto surface = surfaceOf<double>(triangles);
+  HierarchyView view;
+  view.references = { 0, 1, 2, 3 };
+  view.nodes.resize(3);
+  view.nodes[0].box = surface->bounds();
+  for (std::uint32_t leaf : { 1u, 2u })
+  {
+    HierarchyNode& node = view.nodes[leaf];
+    node.box = surface->box(2 * leaf - 2);
+    node.parent = 0;
+    node.depth = 1;
+    node.leaf = true;
+    node.firstReference = 2 * leaf - 2;
+    node.referenceCount = 2;
+  }
+  completeHierarchy(view);
+  // A quarter of each square lies in the other's leaf, which costs 2; the squares have area 2.
+  EXPECT_NEAR(endPointOverlap(view, *surface), 2 * (2 * 0.25) / 2.0, 1e-15);
+  EXPECT_EQ(endPointOverlap({}, *surface), 0.0);
+}
+
+TEST(Overlap, IsLessWithTheHeuristicThanWithTheMedian)
+{
+  const auto surface = surfaceOf<float>(data::teapot(8));
+  BuildOptions options;
+  options.structure = Structure::Bvh;
+  const double heuristic = endPointOverlap(build(surface, options)->hierarchy(), *surface);
+  options.bvhBuild = BvhBuild::LongestAxisMedian;
+  const double median = endPointOverlap(build(surface, options)->hierarchy(), *surface);
+  EXPECT_GT(heuristic, 0.0);
+  EXPECT_LT(heuristic, median);
+  options.structure = Structure::BruteForce;
+  EXPECT_EQ(endPointOverlap(build(surface, options)->hierarchy(), *surface), 0.0);
+}
+
 TEST(Counters, NodesPerRayAndVisitsPerNodeAreOneSum)
 {
   forEverything(
@@ -241,6 +294,8 @@ TEST(Counters, NodesPerRayAndVisitsPerNodeAreOneSum)
           QueryOptions options = with(precision);
           options.perRay = perRay.data();
           options.perNode = perNode.data();
+          std::vector<PrimitiveCounters> perPrimitive(accelerator.surface().size());
+          options.perPrimitive = perPrimitive.data();
           askAll(accelerator, rays.batch(), options, query);
           std::uint64_t nodes = 0;
           std::uint64_t leaves = 0;
@@ -253,6 +308,13 @@ TEST(Counters, NodesPerRayAndVisitsPerNodeAreOneSum)
           }
           EXPECT_EQ(nodes, std::accumulate(perNode.begin(), perNode.end(), std::uint64_t{ 0 }));
           EXPECT_GT(primitives, 0u);
+          std::uint64_t tested = 0;
+          for (const PrimitiveCounters& c : perPrimitive)
+          {
+            tested += c.tested;
+            ASSERT_LE(c.hit, c.tested);
+          }
+          EXPECT_EQ(tested, primitives);
           if (accelerator.options().structure != Structure::Grid)
           {
             std::uint64_t leafVisits = 0;
@@ -269,6 +331,42 @@ TEST(Counters, NodesPerRayAndVisitsPerNodeAreOneSum)
             EXPECT_LE(primitives, held);
           }
         }
+      }
+    });
+}
+
+TEST(Counters, HitsPerPrimitiveAreThoseOfTheAnswers)
+{
+  forEverything(
+    [](const Accelerator& accelerator)
+    {
+      if (accelerator.surface().size() == 0)
+      {
+        return;
+      }
+      const Rays rays = raysAround(accelerator.surface(), 1500, 7);
+      std::vector<std::uint64_t> expected(accelerator.surface().size(), 0);
+      std::vector<PrimitiveCounters> counted(accelerator.surface().size());
+      QueryOptions options = with(Precision::Exact);
+      options.perPrimitive = counted.data();
+      std::vector<Hit> hits(rays.size());
+      accelerator.closest(rays.batch(), hits.data(), options);
+      for (const Hit& hit : hits)
+      {
+        if (hit.primitive != noPrimitive)
+        {
+          ++expected[hit.primitive];
+        }
+      }
+      AllHits all;
+      accelerator.all(rays.batch(), all, options); // added to what is there
+      for (const Hit& hit : all.hits)
+      {
+        ++expected[hit.primitive];
+      }
+      for (std::size_t i = 0; i < expected.size(); ++i)
+      {
+        ASSERT_EQ(counted[i].hit, expected[i]) << "primitive " << i;
       }
     });
 }

@@ -11,6 +11,7 @@
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -85,7 +86,9 @@ TEST_F(Structure, ArraysAndColumnsAreThoseOfTheDataModel)
     { "SkippedZeroArea", "id 1" }, { "Nodes", "id 1" }, { "Leaves", "id 1" }, { "Depth", "id 1" },
     { "References", "id 1" }, { "SahCost", "double 1" }, { "Duplication", "double 1" },
     { "MemoryBytes", "id 1" }, { "BuildSeconds", "double 1" }, { "Rays", "id 1" },
-    { "RayNodesEntered", "id 1" }, { "RayPrimitivesTested", "id 1" } };
+    { "RayNodesEntered", "id 1" }, { "RayPrimitivesTested", "id 1" },
+    { "ObservedSahCost", "double 1" }, { "EmptyLeaves", "id 1" },
+    { "EndPointOverlap", "double 1" } };
   int i = 0;
   for (const auto& [name, type] : columns)
   {
@@ -131,6 +134,55 @@ TEST_F(Structure, EveryOptionOfTheBuildReachesIt)
   EXPECT_GT(value(this->row(), "Leaves", 0), 2 * automatic);
   this->filter_->SetGridResolution(1, 1, 2);
   EXPECT_EQ(value(this->row(), "Leaves", 0), 2);
+}
+
+TEST_F(Structure, OverlapAndObservedCostAreMeasured)
+{
+  EXPECT_TRUE(std::isnan(value(this->row(), "ObservedSahCost", 0)));
+  EXPECT_TRUE(std::isnan(value(this->row(), "EndPointOverlap", 0)));
+  this->filter_->MeasureOverlapOn();
+  EXPECT_GT(value(this->row(), "EndPointOverlap", 0), 0);
+  this->filter_->SetRaysData(pointRays(raysAtUnitBall(2000)));
+  const double expected = value(this->row(), "SahCost", 0);
+  const double observed = value(this->row(), "ObservedSahCost", 0);
+  EXPECT_GT(observed, 0.1 * expected);
+  EXPECT_LT(
+    observed, expected); // a ray ends at its first hit, of which the heuristic knows nothing
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::BruteForce);
+  EXPECT_EQ(value(this->row(), "ObservedSahCost", 0), 720);
+  EXPECT_EQ(value(this->row(), "EndPointOverlap", 0), 0);
+}
+
+TEST_F(Structure, OfAGridThereIsAnImage)
+{
+  this->filter_->ShowOccupancyOn();
+  const unsigned int levels = this->blocks()->GetNumberOfBlocks();
+  EXPECT_NE(this->nameOf(levels - 1), "Occupancy");
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::Grid);
+  this->filter_->SetGridResolution(4, 5, 6);
+  this->filter_->SetRaysData(pointRays(raysAtUnitBall(100)));
+  ASSERT_EQ(this->blocks()->GetNumberOfBlocks(), 3u);
+  EXPECT_EQ(this->nameOf(2), "Occupancy");
+  auto* image = vtkImageData::SafeDownCast(this->blocks()->GetBlock(2));
+  ASSERT_NE(image, nullptr);
+  EXPECT_EQ(image->GetNumberOfCells(), 120);
+  vtkCellData* cells = image->GetCellData();
+  EXPECT_EQ(shape(cells, "PrimitiveCount"), "id 1");
+  double held = 0.0;
+  double occupied = 0.0;
+  double visits = 0.0;
+  for (vtkIdType cell = 0; cell < 120; ++cell)
+  {
+    held += value(cells, "PrimitiveCount", cell);
+    occupied += value(cells, "PrimitiveCount", cell) > 0 ? 1 : 0;
+    visits += value(cells, "Visits", cell);
+  }
+  EXPECT_EQ(held, value(this->row(), "References", 0));
+  EXPECT_EQ(occupied, 120 - value(this->row(), "EmptyLeaves", 0));
+  EXPECT_GT(visits, 0);
+  double bounds[6];
+  image->GetBounds(bounds);
+  EXPECT_NEAR(bounds[1], 1.0, 1e-2);
 }
 
 TEST_F(Structure, OptionsOutOfRangeAreOneError)

@@ -351,6 +351,43 @@ TEST_F(RayCast, CountsTheTraversal)
   }
 }
 
+TEST_F(RayCast, TheSurfaceTellsWhatItsCellsCost)
+{
+  const auto surfaceCells = [this]
+  { return vtkDataSet::SafeDownCast(this->cast_->GetOutputDataObject(2))->GetCellData(); };
+  this->run(vtkLumiRayCast::Closest);
+  EXPECT_EQ(surfaceCells()->GetArray("RayTests"), nullptr);
+  this->cast_->CountTraversalOn();
+  for (const int structure : { vtkLumiRayCast::BruteForce, vtkLumiRayCast::Bvh,
+         vtkLumiRayCast::WideBvh, vtkLumiRayCast::Grid, vtkLumiRayCast::KdTree })
+  {
+    this->cast_->SetStructure(structure);
+    const Outputs out = this->run(vtkLumiRayCast::Closest);
+    double tests = 0.0;
+    double hits = 0.0;
+    for (const char* name : { "RayTests", "RayHits", "LeafReferences" })
+    {
+      ASSERT_EQ(shape(surfaceCells(), name), "id 1");
+    }
+    EXPECT_STREQ(surfaceCells()->GetScalars()->GetName(), "RayTests");
+    for (vtkIdType cell = 0; cell < this->surface_->GetNumberOfCells(); ++cell)
+    {
+      tests += value(surfaceCells(), "RayTests", cell);
+      hits += value(surfaceCells(), "RayHits", cell);
+      ASSERT_GE(value(surfaceCells(), "LeafReferences", cell), 1);
+    }
+    double tested = 0.0;
+    double hit = 0.0;
+    for (vtkIdType r = 0; r < out.rays->GetNumberOfPoints(); ++r)
+    {
+      tested += value(out.ray, "PrimitivesTested", r);
+      hit += value(out.ray, "HitCount", r);
+    }
+    EXPECT_EQ(tests, tested) << structure;
+    EXPECT_EQ(hits, hit) << structure;
+  }
+}
+
 TEST_F(RayCast, PrintsItself)
 {
   std::ostringstream text;
