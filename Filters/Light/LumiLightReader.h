@@ -8,6 +8,7 @@
 #include "vtkLumiABI.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -32,9 +33,17 @@ inline constexpr int lightSchemaVersion = 1;
 /// a piece of a light that lives on another rank.
 [[nodiscard]] bool mayBeLight(vtkPolyData* data);
 
-/// Reads one light by the schema of Docs/lights.md. Throws std::runtime_error that says what is
-/// wrong, without naming the light.
-[[nodiscard]] Light readLight(vtkPolyData* data, double metresPerUnit);
+/// What a light is measured in. Throws std::runtime_error for a schema that is not known.
+[[nodiscard]] LightSystem readLightSystem(vtkPolyData* data);
+
+/// The efficacy [lm/W] by which a light may be converted to the other system, if it has one.
+[[nodiscard]] std::optional<double> readLuminousEfficacy(vtkPolyData* data);
+
+/// Reads one light by the schema of Docs/lights.md, as one of the wanted system, converted by its
+/// luminous efficacy where it is of the other; without a wish as it is. Throws std::runtime_error
+/// that says what is wrong, without naming the light.
+[[nodiscard]] Light readLight(
+  vtkPolyData* data, double metresPerUnit, std::optional<LightSystem> wanted = std::nullopt);
 
 } // namespace lumitree::filters
 #endif

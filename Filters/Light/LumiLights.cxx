@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -70,6 +71,39 @@ void makeUnique(std::vector<Light>& lights)
       light.name = name + " " + std::to_string(n);
     }
   }
+}
+
+/// The system of those that have no luminous efficacy, which cannot be converted; that of the first
+/// one where all have.
+LightSystem commonSystem(const Objects& objects)
+{
+  std::optional<LightSystem> common;
+  std::optional<LightSystem> first;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+  {
+    auto* data = vtkPolyData::SafeDownCast(objects[i]);
+    try
+    {
+      const LightSystem own = readLightSystem(data);
+      first = first.value_or(own);
+      if (readLuminousEfficacy(data))
+      {
+        continue;
+      }
+      if (common && *common != own)
+      {
+        throw std::runtime_error("it is " + std::string(name(own)) + ", but those before it are " +
+          std::string(name(*common)) +
+          "; lights of both are added only where those of one system have a luminous efficacy");
+      }
+      common = own;
+    }
+    catch (const std::exception& error)
+    {
+      throw std::runtime_error(title(i, data) + ": " + error.what() + ".");
+    }
+  }
+  return common.value_or(first.value_or(LightSystem::Radiometric));
 }
 
 /// The leaves of this rank that are lights; throws, on every rank, when a rank has a leaf that
@@ -130,25 +164,19 @@ Lights readLights(
   }
 
   Lights result;
+  result.system = commonSystem(objects);
   for (std::size_t i = 0; i < objects.size(); ++i)
   {
     auto* data = vtkPolyData::SafeDownCast(objects[i]);
     try
     {
-      result.lights.push_back(readLight(data, metresPerUnit));
+      result.lights.push_back(readLight(data, metresPerUnit, result.system));
     }
     catch (const std::exception& error)
     {
       throw std::runtime_error(title(i, data) + ": " + error.what() + ".");
     }
-    if (result.lights.back().system != result.lights.front().system)
-    {
-      throw std::runtime_error(title(i, data) + " is " +
-        std::string(name(result.lights.back().system)) + ", but those before it are " +
-        std::string(name(result.lights.front().system)) + ". Lights of both cannot be added.");
-    }
   }
-  result.system = result.lights.front().system;
   makeUnique(result.lights);
   return result;
 }

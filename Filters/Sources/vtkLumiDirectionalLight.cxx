@@ -3,14 +3,12 @@
 #include "vtkLumiDirectionalLight.h"
 
 #include "LumiDirections.h"
+#include "LumiLightShapes.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include "Radiometry/Quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +30,10 @@ std::string vtkLumiDirectionalLight::Problem() const
   {
     return "Anchor must be finite.";
   }
+  if (!(this->AngularDiameter >= 0.0 && this->AngularDiameter <= 180.0))
+  {
+    return "AngularDiameter must be from 0 to 180.";
+  }
   if (!(std::isfinite(this->Length) && this->Length > 0.0))
   {
     return "Length must be finite and above 0.";
@@ -41,32 +43,16 @@ std::string vtkLumiDirectionalLight::Problem() const
 
 void vtkLumiDirectionalLight::Fill(vtkPolyData* output) const
 {
-  using namespace lumitree;
   const double* d = this->Direction;
-  const Vec3 end = { this->Anchor[0], this->Anchor[1], this->Anchor[2] };
-  const Vec3 start = end - this->Length * lumitree::filters::unit({ d[0], d[1], d[2] });
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->InsertNextPoint(start.data());
-  points->InsertNextPoint(end.data());
-  output->SetPoints(points);
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ 0, 1 });
-  output->SetLines(lines);
-
-  vtkNew<vtkDoubleArray> direction;
-  direction->SetName("LightDirection");
-  direction->SetNumberOfComponents(3);
-  direction->InsertNextTuple(this->Direction);
-  output->GetFieldData()->AddArray(direction);
-  if (this->System == Photometric)
+  const double* a = this->Anchor;
+  lumitree::filters::drawRay(
+    output, { a[0], a[1], a[2] }, lumitree::filters::unit({ d[0], d[1], d[2] }), this->Length);
+  AddTuple(output, "LightDirection", this->Direction, 3);
+  if (this->AngularDiameter > 0.0)
   {
-    AddQuantity(output, "NormalIlluminance", "lx", this->NormalIrradiance);
+    AddQuantity(output, "AngularDiameter", "deg", this->AngularDiameter);
   }
-  else
-  {
-    AddQuantity(output, "NormalIrradiance", "W/m^2", this->NormalIrradiance);
-  }
+  AddQuantity(output, lumitree::Quantity::NormalIrradiance, this->NormalIrradiance);
 }
 
 void vtkLumiDirectionalLight::PrintSelf(ostream& os, vtkIndent indent)
@@ -76,6 +62,7 @@ void vtkLumiDirectionalLight::PrintSelf(ostream& os, vtkIndent indent)
   { os << indent << name << ": (" << v[0] << ", " << v[1] << ", " << v[2] << ")\n"; };
   print3("Direction", this->Direction);
   os << indent << "NormalIrradiance: " << this->NormalIrradiance << "\n";
+  os << indent << "AngularDiameter: " << this->AngularDiameter << "\n";
   print3("Anchor", this->Anchor);
   os << indent << "Length: " << this->Length << "\n";
 }

@@ -6,9 +6,10 @@
  *
  * The output is a line that ends at Anchor, to be seen only, and field data: `LightDirection` and
  * `NormalIrradiance [W/m^2]` or `NormalIlluminance [lx]`, beside what every light has
- * (`LightSchema`, `LightType` = `directional`, `LightName`, `LightSystem`).
+ * (`LightSchema`, `LightType` = `directional`, `LightName`, `LightSystem`). With an angular
+ * diameter the type is `sun`, and `AngularDiameter [deg]` says which.
  *
- * @sa vtkLumiPointLight vtkLumiIrradiance
+ * @sa vtkLumiSun vtkLumiPointLight vtkLumiIrradiance
  */
 #ifndef vtkLumiDirectionalLight_h
 #define vtkLumiDirectionalLight_h
@@ -42,6 +43,15 @@ public:
 
   ///@{
   /**
+   * Angular diameter of the light, in degrees: 0.533 is the sun's. From 0, the default, which is
+   * parallel light without penumbras, to 180.
+   */
+  vtkSetMacro(AngularDiameter, double);
+  vtkGetMacro(AngularDiameter, double);
+  ///@}
+
+  ///@{
+  /**
    * Where the line that is drawn ends, and how long it is (above 0), in units of the coordinates.
    * They have no meaning for the light. Defaults (0, 0, 0) and 1.
    */
@@ -55,7 +65,7 @@ protected:
   vtkLumiDirectionalLight() = default;
   ~vtkLumiDirectionalLight() override = default;
 
-  const char* Type() const override { return "directional"; }
+  const char* Type() const override { return this->AngularDiameter > 0.0 ? "sun" : "directional"; }
   std::string Problem() const override;
   void Fill(vtkPolyData* output) const override;
 
@@ -65,6 +75,7 @@ private:
 
   double Direction[3] = { 0.0, 0.0, -1.0 };
   double NormalIrradiance = 1.0;
+  double AngularDiameter = 0.0;
   double Anchor[3] = { 0.0, 0.0, 0.0 };
   double Length = 1.0;
 };

@@ -14,26 +14,12 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include "Radiometry/Quantities.h"
+
 namespace
 {
 
 constexpr int schemaVersion = 1;
-
-void AddInteger(vtkPolyData* output, const char* name, int value)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
-
-void AddString(vtkPolyData* output, const char* name, const char* value)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
 
 }
 
@@ -56,6 +42,57 @@ void vtkLumiLight::AddQuantity(
   output->GetFieldData()->AddArray(array);
 }
 
+void vtkLumiLight::AddQuantity(vtkPolyData* output, lumitree::Quantity quantity, double value) const
+{
+  const lumitree::QuantityName named =
+    lumitree::describe(quantity, static_cast<lumitree::LightSystem>(this->System));
+  AddQuantity(output, std::string(named.name).c_str(), std::string(named.unit).c_str(), value);
+}
+
+void vtkLumiLight::AddTuple(
+  vtkPolyData* output, const char* name, const double* values, int components)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->InsertNextTuple(values);
+  output->GetFieldData()->AddArray(array);
+}
+
+void vtkLumiLight::AddValues(
+  vtkPolyData* output, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+void vtkLumiLight::AddText(vtkPolyData* output, const char* name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  output->GetFieldData()->AddArray(array);
+}
+
+void vtkLumiLight::AddInteger(vtkPolyData* output, const char* name, int value)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->GetFieldData()->AddArray(array);
+}
+
+std::string vtkLumiLight::FillFrom(vtkInformationVector**, vtkInformation*, vtkPolyData* output)
+{
+  this->Fill(output);
+  return {};
+}
+
 int vtkLumiLight::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -64,25 +101,33 @@ int vtkLumiLight::RequestInformation(
 }
 
 int vtkLumiLight::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const std::string problem = this->Problem();
+  std::string problem = this->Problem();
+  if (problem.empty() && !(this->LuminousEfficacy >= 0.0 && this->LuminousEfficacy <= 683.0))
+  {
+    problem = "LuminousEfficacy must be from 0 to 683.";
+  }
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(information);
+  if (problem.empty() && lumitree::filters::isFirstPiece(information))
+  {
+    AddInteger(output, "LightSchema", schemaVersion);
+    AddText(output, "LightType", this->Type());
+    AddText(output, "LightName", this->Name && *this->Name ? this->Name : this->Type());
+    AddInteger(output, "LightSystem", this->System);
+    if (this->LuminousEfficacy > 0.0)
+    {
+      AddQuantity(output, "LuminousEfficacy", "lm/W", this->LuminousEfficacy);
+    }
+    problem = this->FillFrom(inputVector, information, output);
+  }
   if (!problem.empty())
   {
+    output->Initialize();
     vtkErrorMacro(<< problem);
     return 0;
   }
-  vtkInformation* information = outputVector->GetInformationObject(0);
-  if (!lumitree::filters::isFirstPiece(information))
-  {
-    return 1;
-  }
-  vtkPolyData* output = vtkPolyData::GetData(information);
-  AddInteger(output, "LightSchema", schemaVersion);
-  AddString(output, "LightType", this->Type());
-  AddString(output, "LightName", this->Name && *this->Name ? this->Name : this->Type());
-  AddInteger(output, "LightSystem", this->System);
-  this->Fill(output);
   return 1;
 }
 
@@ -90,5 +135,6 @@ void vtkLumiLight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "System: " << this->System << "\n";
+  os << indent << "LuminousEfficacy: " << this->LuminousEfficacy << "\n";
   os << indent << "Name: " << (this->Name ? this->Name : "(null)") << "\n";
 }

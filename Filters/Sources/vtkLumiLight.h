@@ -11,7 +11,8 @@
  * Properties that make no light (a value that is not finite, a negative flux, a direction of zero)
  * are one error, and the output is empty.
  *
- * @sa vtkLumiPointLight vtkLumiDirectionalLight vtkLumiIrradiance
+ * @sa vtkLumiPointLight vtkLumiSpotLight vtkLumiPhotometricLight vtkLumiAreaLight vtkLumiShapeLight
+ * vtkLumiDirectionalLight vtkLumiSun vtkLumiSky vtkLumiIrradiance
  */
 #ifndef vtkLumiLight_h
 #define vtkLumiLight_h
@@ -20,6 +21,12 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for Problem
+#include <vector> // for AddValues
+
+namespace lumitree
+{
+enum class Quantity : int;
+}
 
 class LUMITREEFILTERSSOURCES_EXPORT vtkLumiLight : public vtkPolyDataAlgorithm
 {
@@ -53,6 +60,16 @@ public:
   vtkGetStringMacro(Name);
   ///@}
 
+  ///@{
+  /**
+   * Luminous efficacy of the light's radiation, in lm/W: at most 683, as light of 555 nm has. Above
+   * 0 it allows lights of both systems in one computation, where this one is converted by it.
+   * Default 0: the light has none and is not converted.
+   */
+  vtkSetMacro(LuminousEfficacy, double);
+  vtkGetMacro(LuminousEfficacy, double);
+  ///@}
+
 protected:
   vtkLumiLight();
   ~vtkLumiLight() override;
@@ -71,12 +88,27 @@ protected:
   /// Adds the geometry and the field arrays of this type to an empty output; there is no problem.
   virtual void Fill(vtkPolyData* output) const = 0;
 
+  /// The same with what the pipeline knows, for those that have an input or time; by default Fill.
+  /// Gives back what is wrong; empty when nothing is.
+  virtual std::string FillFrom(
+    vtkInformationVector** inputs, vtkInformation* outputInformation, vtkPolyData* output);
+
   /// Adds the field array `quantity [unit]` of one value.
   static void AddQuantity(
     vtkPolyData* output, const char* quantity, const char* unit, double value);
 
+  /// Adds the field array of that quantity in the light's system.
+  void AddQuantity(vtkPolyData* output, lumitree::Quantity quantity, double value) const;
+
+  /// Adds field arrays: of one tuple, of many values, of a string, of an integer.
+  static void AddTuple(vtkPolyData* output, const char* name, const double* values, int components);
+  static void AddValues(vtkPolyData* output, const char* name, const std::vector<double>& values);
+  static void AddText(vtkPolyData* output, const char* name, const std::string& text);
+  static void AddInteger(vtkPolyData* output, const char* name, int value);
+
   int System = Radiometric;
   char* Name = nullptr;
+  double LuminousEfficacy = 0.0;
 
 private:
   vtkLumiLight(const vtkLumiLight&) = delete;
