@@ -55,6 +55,7 @@ public:
   Cast(QueryKind query, const Accelerator& accelerator, const RayBatch& rays,
     const QueryOptions& options);
 
+  [[nodiscard]] QueryKind query() const { return this->query_; }
   [[nodiscard]] std::size_t size() const { return this->size_; }
   [[nodiscard]] const QueryReport& report() const { return this->report_; }
 
@@ -65,7 +66,7 @@ public:
       this->query_ == QueryKind::Ties;
   }
 
-  /// How many hits that ray has; of Closest and Any 0 or 1.
+  /// How many hits that ray has; of Closest and Any 0 or 1; of Crossings, how many passages.
   [[nodiscard]] vtkIdType count(std::size_t ray) const;
 
   /// The count(ray) hits of that ray, nearest first. Only when givesHits().

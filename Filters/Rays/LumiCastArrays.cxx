@@ -145,6 +145,12 @@ void addRayArrays(const Cast& cast, const HitLayout* layout, const SurfaceInput&
         mask[i] = count[i] > 0 ? 1 : 0;
       }
     });
+  if (cast.query() == QueryKind::Crossings)
+  {
+    unsigned char* inside = addArray<vtkUnsignedCharArray>(data, "Inside", tuples);
+    std::transform(count, count + tuples, inside,
+      [](vtkIdType passages) { return static_cast<unsigned char>(passages % 2); });
+  }
   if (layout)
   {
     data->AddArray(layout->offsets);

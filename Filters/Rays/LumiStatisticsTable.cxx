@@ -124,4 +124,27 @@ void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& vi
                                 : 0.0);
 }
 
+void makeCastTable(
+  const Accelerator& accelerator, const Cast& cast, Precision precision, vtkTable* table)
+{
+  std::uint64_t raysHit = 0;
+  std::uint64_t hits = 0;
+  for (std::size_t i = 0; i < cast.size(); ++i)
+  {
+    const auto count = static_cast<std::uint64_t>(cast.count(i));
+    raysHit += count > 0 ? 1 : 0;
+    hits += count;
+  }
+  Row row(table, true);
+  row.add("Structure", name(accelerator.options().structure));
+  row.add("Precision", name(precision));
+  row.add("Query", name(cast.query()));
+  row.add("Rays", std::uint64_t{ cast.size() });
+  row.add("InvalidRays", cast.report().invalidRays);
+  row.add("RaysHit", raysHit);
+  row.add("Hits", hits);
+  row.add("ExactTests", cast.report().exactTests);
+  row.add("ExactParameters", cast.report().exactParameters);
+}
+
 } // namespace lumitree::filters

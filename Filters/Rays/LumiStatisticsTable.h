@@ -3,6 +3,7 @@
 #ifndef Lumitree_Filters_Rays_LumiStatisticsTable_h
 #define Lumitree_Filters_Rays_LumiStatisticsTable_h
 
+#include "LumiCast.h"
 #include "LumiVisits.h"
 
 #include "Accel/Accelerator.h"
@@ -17,6 +18,10 @@ namespace lumitree::filters
 /// time.
 void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& view,
   const Visits& visits, bool measureOverlap, bool withRow, vtkTable* table);
+
+/// The output Statistics of a cast (Docs/data-model.md): one row.
+void makeCastTable(
+  const Accelerator& accelerator, const Cast& cast, Precision precision, vtkTable* table);
 
 } // namespace lumitree::filters
 

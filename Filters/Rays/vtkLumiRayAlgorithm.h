@@ -28,10 +28,12 @@ public:
    */
   enum Queries
   {
-    Closest = 0, ///< the nearest hit
-    Any = 1,     ///< whether anything is hit
-    All = 2,     ///< every hit
-    Count = 3    ///< how many hits
+    Closest = 0,   ///< the nearest hit
+    Any = 1,       ///< whether anything is hit
+    All = 2,       ///< every hit
+    Count = 3,     ///< how many hits
+    Crossings = 4, ///< how many passages through the surface: odd from inside; of Exact alone
+    Ties = 5       ///< every hit at the least t
   };
 
   ///@{
@@ -46,7 +48,7 @@ public:
   /**
    * What is asked of each ray, one of Queries. Default Closest.
    */
-  vtkSetClampMacro(Query, int, Closest, Count);
+  vtkSetClampMacro(Query, int, Closest, Ties);
   vtkGetMacro(Query, int);
   ///@}
 

@@ -9,6 +9,8 @@
 #include "LumiPorts.h"
 #include "LumiRaysOutput.h"
 #include "LumiSettings.h"
+#include "LumiSourceSkips.h"
+#include "LumiStatisticsTable.h"
 #include "LumiSurfaceCost.h"
 #include "LumiSurfaceData.h"
 
@@ -19,6 +21,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <exception>
 #include <optional>
@@ -39,10 +42,14 @@ struct vtkLumiRayCast::Internals
   std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
 
   /// Casts the rays over the tree, adds to tests (one per primitive, or none) and fills the outputs
-  /// of hits and rays. Throws what the accelerator throws.
+  /// of hits, rays and statistics. Throws what the accelerator throws.
   static void Cast(vtkLumiRayCast* self, const filters::RayInput& rays, vtkDataSet* raysInput,
     std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput,
-    vtkDataSet* raysOutput);
+    vtkDataSet* raysOutput, vtkTable* statistics);
+
+  /// Sets what the rays skip, when they are to skip their sources; false after one vtkErrorMacro.
+  static bool SkipSources(vtkLumiRayCast* self, vtkDataSet* raysInput, filters::RayInput& rays,
+    filters::SourceSkips& skips);
 
   /// Fills the output that is the surface.
   static void MakeSurface(vtkLumiRayCast* self,
@@ -59,7 +66,7 @@ vtkStandardNewMacro(vtkLumiRayCast);
 vtkLumiRayCast::vtkLumiRayCast()
   : Impl(new Internals)
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 vtkLumiRayCast::~vtkLumiRayCast() = default;
@@ -69,12 +76,15 @@ void vtkLumiRayCast::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PassSurfaceData: " << (this->PassSurfaceData ? "on" : "off") << "\n";
   os << indent << "CountTraversal: " << (this->CountTraversal ? "on" : "off") << "\n";
+  os << indent << "SkipSource: " << (this->SkipSource ? "on" : "off") << "\n";
+  os << indent << "RoundedParameter: " << (this->RoundedParameter ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }
 
 int vtkLumiRayCast::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkDataObject");
+  constexpr const char* types[] = { "vtkPolyData", "vtkDataObject", "vtkDataObject", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
 
@@ -84,6 +94,10 @@ int vtkLumiRayCast::RequestDataObject(
   if (!vtkPolyData::GetData(outputs, 0))
   {
     outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+  }
+  if (!vtkTable::GetData(outputs, 3))
+  {
+    outputs->GetInformationObject(3)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
   }
   const int surface =
     filters::makeOutputLike(vtkDataObject::GetData(inputs[0], 0), outputs->GetInformationObject(2));
@@ -112,11 +126,14 @@ int vtkLumiRayCast::RequestData(
   try
   {
     filters::RayInput rays;
+    filters::SourceSkips skips;
     vtkDataObject* raysInput = vtkDataObject::GetData(inputs[1], 0);
-    if (filters::readRays(this, raysInput, rays))
+    if (filters::readRays(this, raysInput, rays) &&
+      Internals::SkipSources(this, vtkDataSet::SafeDownCast(raysInput), rays, skips))
     {
       Internals::Cast(this, rays, vtkDataSet::SafeDownCast(raysInput), tests,
-        vtkPolyData::GetData(outputs, 0), vtkDataSet::GetData(outputs, 1));
+        vtkPolyData::GetData(outputs, 0), vtkDataSet::GetData(outputs, 1),
+        vtkTable::GetData(outputs, 3));
       complete = true;
     }
   }
@@ -133,9 +150,27 @@ int vtkLumiRayCast::RequestData(
   return 1;
 }
 
+bool vtkLumiRayCast::Internals::SkipSources(
+  vtkLumiRayCast* self, vtkDataSet* raysInput, filters::RayInput& rays, filters::SourceSkips& skips)
+{
+  if (!self->SkipSource)
+  {
+    return true;
+  }
+  vtkMultiProcessController* controller = self->GetController();
+  const int rank = filters::isDistributed(controller) ? controller->GetLocalProcessId() : 0;
+  if (!filters::readSourceSkips(raysInput, rays, *self->Impl->Tree->input, rank,
+        filters::threadsFor(self->GetNumberOfThreads()), skips, self))
+  {
+    return false;
+  }
+  rays.batch.skip = skips.sets();
+  return true;
+}
+
 void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInput& rays,
   vtkDataSet* raysInput, std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput,
-  vtkDataSet* raysOutput)
+  vtkDataSet* raysOutput, vtkTable* statistics)
 {
   const filters::Tree& tree = *self->Impl->Tree;
   const filters::Buffer<lumitree::RayCounters> counters(self->CountTraversal ? rays.batch.size : 0);
@@ -143,12 +178,13 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
   lumitree::QueryOptions options = filters::queryOptions(self, job);
   options.perRay = counters.data();
   options.perPrimitive = tests.empty() ? nullptr : tests.data();
+  options.roundedT = self->RoundedParameter && options.precision == lumitree::Precision::Exact;
   const filters::Cast cast(
     static_cast<lumitree::QueryKind>(self->GetQuery()), *tree.accelerator, rays.batch, options);
   filters::warnOfInvalidRays(self, cast.report(), rays);
 
   // When the user stopped the cast, the rays that were not reached are misses. What follows is
-  // short and runs to its end, so that both outputs are whole.
+  // short and runs to its end, so that the outputs are whole.
   std::optional<filters::HitLayout> layout;
   if (cast.givesHits())
   {
@@ -158,6 +194,7 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
   vtkDataSetAttributes* data = filters::makeRaysOutput(raysInput, rays, raysOutput);
   filters::addRayArrays(
     cast, layout ? &*layout : nullptr, *tree.input, counters.data(), options.threads, data);
+  filters::makeCastTable(*tree.accelerator, cast, options.precision, statistics);
 }
 
 void vtkLumiRayCast::Internals::MakeSurface(vtkLumiRayCast* self,

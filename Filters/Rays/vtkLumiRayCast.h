@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkLumiRayCast
- * @brief Casts a set of rays at a surface: nearest hits, all hits, counts or plain occlusion.
+ * @brief Casts a set of rays at a surface: nearest hits, all hits, counts, plain occlusion, or
+ * inside and outside.
  *
  * Inputs: port 0 the surface (any dataset or any composite of them, as one scene), port 1 the rays
  * (one dataset, not a composite). Rays come in one of three forms, looked for in this order:
@@ -12,11 +13,16 @@
  *  - line and polyline cells without a direction array: a ray is a segment, t runs over [0, 1].
  *
  * Outputs: port 0 *Hits*, a point and a vertex cell per hit, ordered by ray, then by (T,
- * primitive); none for the queries Any and Count. Port 1 *Rays*, the rays as they came with
- * HitMask, HitCount and more, in the point data, for lines in the cell data. Where polylines have
- * several segments, or lines come among other cells, port 1 holds a line cell per segment, and only
- * those. Port 2 *Surface*, the surface as it came, on request (CountTraversal) with what the rays
- * cost each cell.
+ * primitive); none for the queries Any, Count and Crossings. Port 1 *Rays*, the rays as they came
+ * with HitMask, HitCount and more, in the point data, for lines in the cell data. Where polylines
+ * have several segments, or lines come among other cells, port 1 holds a line cell per segment, and
+ * only those. Port 2 *Surface*, the surface as it came, on request (CountTraversal) with what the
+ * rays cost each cell. Port 3 *Statistics*, a table of one row: how many rays, hits, rays that
+ * cannot be traced, and questions that exact arithmetic decided.
+ *
+ * Crossings counts how often rays pass through the surface, once also at edges and vertices and of
+ * meshes that share no points: with TMax infinite it is odd from inside a closed surface, which the
+ * array Inside says. It needs the precision Exact.
  *
  * T is in units of |direction|, which is never normalised: the hit lies at origin + T * direction.
  * Limits are closed. A miss is -1 for ids and +infinity for T. Every array of both outputs is
@@ -75,6 +81,29 @@ public:
 
   ///@{
   /**
+   * Whether rays pass by the cell they leave from (point array `SourceCellId`,
+   * `SourceCompositeIndex` of the rays) or the cells around the point they leave from
+   * (`SourcePointId`): a start that was rounded lies on either side of its cell. vtkLumiSurfaceRays
+   * gives these arrays; ids are those of the surface on input port 0. Rays with neither array are
+   * an error. Default off.
+   */
+  vtkSetMacro(SkipSource, bool);
+  vtkGetMacro(SkipSource, bool);
+  vtkBooleanMacro(SkipSource, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether T is the double nearest to the exact t, of two equally near the even one, and not only
+   * within one float ulp of it. Has an effect with the precision Exact alone. Default off.
+   */
+  vtkSetMacro(RoundedParameter, bool);
+  vtkGetMacro(RoundedParameter, bool);
+  vtkBooleanMacro(RoundedParameter, bool);
+  ///@}
+
+  ///@{
+  /**
    * Type of the hit points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION,
    * which is double when the rays or the surface have double coordinates. Default
    * DEFAULT_PRECISION.
@@ -99,6 +128,8 @@ private:
 
   bool PassSurfaceData = false;
   bool CountTraversal = false;
+  bool RoundedParameter = false;
+  bool SkipSource = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 
   struct Internals;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -34,12 +35,28 @@ Vec3 areaOf(const Corners& t)
   return cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/// The middle of one cell, and its area along its normal.
+/// The middle of one cell, its area along its normal, and how far from the plane of a flat cell
+/// rounding may have put the middle.
 struct Facet
 {
   Vec3 centre;
   Vec3 area;
+  double rounding = 0.0;
 };
+
+/// The sum of the largest magnitude of each coordinate.
+double extent(const std::vector<Vec3>& points)
+{
+  Vec3 largest = { 0.0, 0.0, 0.0 };
+  for (const Vec3& p : points)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      largest[k] = std::max(largest[k], std::fabs(p[k]));
+    }
+  }
+  return largest[0] + largest[1] + largest[2];
+}
 
 Facet polygonFacet(const std::vector<Vec3>& points)
 {
@@ -53,16 +70,23 @@ Facet polygonFacet(const std::vector<Vec3>& points)
   const Vec3 normal = unit(area);
   Vec3 moment = { 0.0, 0.0, 0.0 };
   double sum = 0.0;
+  double magnitudes = 0.0;
   for (std::size_t k = 2; k < points.size(); ++k)
   {
     const double weight = dot(normal, areaOf({ points[0], points[k - 1], points[k] }));
     sum += weight;
+    magnitudes += std::fabs(weight);
     // Relative to the first point: far from the origin products would lose what they differ by.
     moment = moment + (weight / 3.0) * ((points[k - 1] - points[0]) + (points[k] - points[0]));
   }
   if (sum > 0.0)
   {
-    return { points[0] + (1.0 / sum) * moment, area };
+    // In exact numbers any weights give a point of the plane. Each term is a third of two edges, at
+    // most 4 M / 3 a coordinate of magnitude M, and rounds 4 times, its sum and quotient n times
+    // more; the weights add up to magnitudes / sum. Adding the first point rounds M or more once.
+    const auto n = static_cast<double>(points.size());
+    const double rounding = 0x1p-53 * (4.0 + 2.0 * (4.0 + n) * (magnitudes / sum)) * extent(points);
+    return { points[0] + (1.0 / sum) * moment, area, rounding };
   }
   // Without an area (the data may give a normal), or not finite, which the mean shows.
   Vec3 mean = { 0.0, 0.0, 0.0 };
@@ -70,7 +94,7 @@ Facet polygonFacet(const std::vector<Vec3>& points)
   {
     mean = mean + (1.0 / static_cast<double>(points.size())) * p;
   }
-  return { mean, area };
+  return { mean, area, 0x1p-53 * (4.0 + static_cast<double>(points.size())) * extent(points) };
 }
 
 /// A strip bends: its middle triangle stands for it, for the mean of all would lie off the surface.
@@ -91,6 +115,10 @@ public:
     , surface_(filters::extractSurface(data, selection_))
     , compositeIndex_(compositeIndex)
   {
+    double bounds[6];
+    this->surface_.polygons->GetBounds(bounds);
+    this->extent_ =
+      extent({ { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } });
   }
 
   void addCells(RaySources& sources) const
@@ -104,7 +132,7 @@ public:
       {
         const Facet facet = strip ? stripFacet(points) : polygonFacet(points);
         const bool ownNormal = given && this->isFlat(id);
-        this->add(sources, facet.centre, ownNormal ? tuple(given, id) : facet.area, id, index);
+        this->add(sources, facet, ownNormal ? tuple(given, id) : facet.area, id, index);
       }
     };
     this->eachCell(addCell);
@@ -124,7 +152,8 @@ public:
       {
         Vec3 position;
         this->data_->GetPoint(id, position.data());
-        this->add(sources, position, given ? tuple(given, id) : sums[i], id, id);
+        const Vec3 normal = given ? tuple(given, id) : sums[i];
+        this->add(sources, { position, normal }, normal, id, id);
       }
     }
   }
@@ -155,16 +184,27 @@ private:
     return !this->surface_.cellIds || this->data_->GetCell(id)->GetCellDimension() < 3;
   }
 
-  void add(RaySources& sources, const Vec3& position, const Vec3& normal, vtkIdType id,
+  void add(RaySources& sources, const Facet& facet, const Vec3& normal, vtkIdType id,
     vtkIdType index) const
   {
     const Vec3 n = unit(normal);
-    if (filters::isZero(n) || !isFinite(position))
+    if (filters::isZero(n) || !isFinite(facet.centre))
     {
       ++sources.withoutNormal;
       return;
     }
-    sources.list.push_back({ position, n, id, index, this->compositeIndex_ });
+    Vec3 clear = unit(facet.area);
+    if (filters::isZero(clear))
+    {
+      clear = n;
+    }
+    else if (dot(clear, n) < 0.0)
+    {
+      clear = -1.0 * clear;
+    }
+    // Next to the origin of coordinates, where nothing rounds, the surface around is the measure.
+    const double rounding = facet.rounding + 0x1p-53 * this->extent_;
+    sources.list.push_back({ facet.centre, n, clear, rounding, id, index, this->compositeIndex_ });
   }
 
   /// Calls body(index, ids, points, whether it is a strip) for polygons and strips of three points
@@ -259,6 +299,7 @@ private:
   filters::CellSelection selection_;
   filters::ExtractedSurface surface_;
   int compositeIndex_;
+  double extent_ = 0.0; ///< of the surface's bounds
 };
 
 }

@@ -18,6 +18,8 @@ struct RaySource
 {
   Vec3 position;
   Vec3 normal;         ///< unit
+  Vec3 clear;          ///< unit; away from the cell's own plane, on the side of the normal
+  double rounding = 0; ///< how far from the plane of a flat cell the position may be
   vtkIdType id = -1;   ///< point or cell id within the leaf dataset
   vtkIdType index = 0; ///< of points the id; of cells their place in the surface, which tells faces
                        ///< of one cell apart

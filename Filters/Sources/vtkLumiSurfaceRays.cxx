@@ -39,6 +39,16 @@ Vec3 DirectionOf(const RaySource& source, vtkIdType k, int distribution, std::ui
     : filters::uniformDirection(source.normal, uv[0], uv[1]);
 }
 
+/// How far a source is to move to be beyond its surface, whatever rounding did to its position, to
+/// its sum with offsets, and will do to the point of the output. Along a normal 75 degrees off,
+/// 4 cos(75) > 1.03 of the bound remain.
+double ClearanceOf(const RaySource& source, double offset, bool single)
+{
+  const double size = std::fabs(source.position[0]) + std::fabs(source.position[1]) +
+    std::fabs(source.position[2]) + 3.0 * std::fabs(offset);
+  return 4.0 * (source.rounding + ((single ? 0x1p-24 : 0x1p-53) + 3 * 0x1p-53) * size);
+}
+
 /// Which source each ray leaves from.
 void AddSourceIds(
   vtkPolyData* output, const std::vector<RaySource>& sources, vtkIdType raysPerSource, bool points)
@@ -117,8 +127,13 @@ int vtkLumiSurfaceRays::RequestData(
     [&](vtkIdType i)
     {
       const RaySource& source = found.list[static_cast<std::size_t>(i / each)];
-      return filters::RayLine{ source.position + this->Offset * source.normal,
-        DirectionOf(source, i % each, this->Distribution, seed) };
+      lumitree::Vec3 origin = source.position + this->Offset * source.normal;
+      if (this->ClearOfRounding)
+      {
+        const bool single = this->OutputPointsPrecision == SINGLE_PRECISION;
+        origin = origin + ClearanceOf(source, this->Offset, single) * source.clear;
+      }
+      return filters::RayLine{ origin, DirectionOf(source, i % each, this->Distribution, seed) };
     });
   if (completed)
   {
@@ -135,5 +150,6 @@ void vtkLumiSurfaceRays::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RaysPerSource: " << this->RaysPerSource << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "ClearOfRounding: " << (this->ClearOfRounding ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

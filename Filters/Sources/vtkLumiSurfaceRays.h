@@ -104,6 +104,20 @@ public:
 
   ///@{
   /**
+   * Whether a source is also moved along its normal (of a cell, the one of its winding, on the side
+   * that rays leave to) by four times the distance that rounding, here and to the type of the
+   * output, may have put it off a flat cell: rays then start beyond every triangle around the
+   * source whose normal is within 75 degrees of it, as those of polygons that are nearly flat are
+   * not. Some 1e-14 of the coordinates, with points of single precision 1e-6. The other way is
+   * SkipSource of vtkLumiRayCast, which moves nothing. Default off.
+   */
+  vtkSetMacro(ClearOfRounding, bool);
+  vtkGetMacro(ClearOfRounding, bool);
+  vtkBooleanMacro(ClearOfRounding, bool);
+  ///@}
+
+  ///@{
+  /**
    * Type of points and directions: vtkAlgorithm::SINGLE_PRECISION, or DOUBLE_PRECISION, which
    * DEFAULT_PRECISION means too. Default DEFAULT_PRECISION.
    */
@@ -128,6 +142,7 @@ private:
   int RaysPerSource = 16;
   int Seed = 0;
   double Offset = 0.0;
+  bool ClearOfRounding = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };
 

@@ -4,6 +4,7 @@
 
 =========================== ===============================================================
 `cast`, `Caster`, `Hits`    rays against a mesh: nearest hits, all hits, counts, occlusion
+`inside`                    whether points lie inside a closed mesh
 `camera_rays`, `rays`       sets of rays as VTK data sets
 `hierarchy`                 the tree over a mesh, as boxes and statistics
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
@@ -35,7 +36,7 @@ from .errors import LumitreeError, LumitreeWarning
 from .files import read, write
 from .lights import directional_light, point_light
 from .radiometry import Irradiance, irradiance
-from .raycast import Caster, Hits, cast
+from .raycast import Caster, Hits, cast, inside
 from .rayset import rays
 from .scenes import scene
 from .surfacereport import SurfaceReport, surface_report
@@ -62,6 +63,7 @@ __all__ = [
     "cast",
     "directional_light",
     "hierarchy",
+    "inside",
     "irradiance",
     "point_light",
     "rays",

@@ -58,6 +58,8 @@ class Query(IntEnum):
     ANY = 1
     ALL = 2
     COUNT = 3
+    CROSSINGS = 4
+    TIES = 5
 
 
 class LengthUnit(IntEnum):

@@ -123,6 +123,14 @@ def make_parser() -> argparse.ArgumentParser:
         "--threads", type=int, default=0, metavar="N", help="default: 0, as many as there are"
     )
 
+    tree.add_argument(
+        "--inside",
+        action="append",
+        metavar="x,y,z",
+        help="tell whether this point lies inside the surface, which is to be closed; repeat it "
+        "for more points",
+    )
+
     camera = parser.add_argument_group("camera")
     camera.add_argument("--eye", metavar="x,y,z", help="where it is (default: so that all is seen)")
     camera.add_argument("--target", metavar="x,y,z", help="what it looks at (default: the middle)")
@@ -160,6 +168,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(options: argparse.Namespace) -> None:
     lights = [parse_light(text) for text in options.light or ()]
+    points = [triple(text) for text in options.inside or ()]
     size = _size(options.size)
     surface, stage = _load(options)
     up = options.up or ("y" if Path(options.mesh).suffix.lower() in Y_UP else "z")
@@ -194,6 +203,8 @@ def _run(options: argparse.Namespace) -> None:
     print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells")
     print("hierarchy  ", report.hierarchy())
     print("rays       ", report.cost(size))
+    if points:
+        print("points     ", report.sides(points))
     lights = lights or [parse_light(stage.light or sun)]
     print("light      ", report.light(lights, options.at, options.length_unit))
     written = sorted(file.name for file in options.out.iterdir())

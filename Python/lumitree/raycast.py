@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
 
-from .arrays import from_vtk
+from .arrays import first_row, from_vtk
 from .choices import BvhBuild, KdBuild, Precision, Query, Structure, choose
 from .errors import run
 from .rayset import rays
@@ -34,23 +34,29 @@ COST_ARRAYS = {
 @dataclass(frozen=True)
 class Hits:
     """What rays met. With n rays, arrays have a row per ray (k = n) for ``closest``, and a row per
-    hit, sorted by ray and then by t, for ``all`` (k = m hits). What a query does not give is None.
+    hit, sorted by ray and then by t, for ``all`` and ``ties`` (k = m hits). What a query does not
+    give is None.
 
     ================= ======== ======= ===== ===================================================
     attribute         shape    type    miss  given by
     ================= ======== ======= ===== ===================================================
     `hit`             (n,)     bool    False every query
     `count`           (n,)     int64   0     every query; of ``closest`` and ``any`` 0 or 1
-    `t`               (k,)     float64 inf   ``closest``, ``all``; in units of |direction|
+    `inside`          (n,)     bool    False ``crossings``: whether `count` is odd
+    `t`               (k,)     float64 inf   ``closest``, ``all``, ``ties``; in |direction|
     `cell_id`         (k,)     int64   -1    the same; local to its leaf data set
     `composite_index` (k,)     int32   -1    the same; flat index of the leaf (0: not composite)
     `uv`              (k, 2)   float64 nan   the same; barycentric, (1 - u - v) p0 + u p1 + v p2
     `normal`          (k, 3)   float64 nan   the same; unit length, by the triangle's winding
     `point`           (k, 3)   float   nan   the same; float64 if the rays or the mesh are
-    `ray_id`          (m,)     int64         ``all``: the ray of each hit
-    `offsets`         (n + 1,) int64         ``all``: ray i has hits offsets[i]:offsets[i + 1]
+    `ray_id`          (m,)     int64         ``all``, ``ties``: the ray of each hit
+    `offsets`         (n + 1,) int64         the same: ray i has hits offsets[i]:offsets[i + 1]
     `cost`            (n,)     int32         ``cost=True``: a dict, see `COST_ARRAYS`
     ================= ======== ======= ===== ===================================================
+
+    `statistics` are facts about all the rays, by the names of the table Statistics of
+    vtkLumiRayCast: ``Rays``, ``Hits``, ``ExactTests`` (questions that floating point left open) and
+    more.
 
     `rays` and `hits` are the same as VTK data sets: the rays with their results as arrays, and a
     point for every hit. `surface` is the mesh; with ``cost=True`` its cells have ``RayTests``,
@@ -63,6 +69,8 @@ class Hits:
     rays: vtkDataSet
     hits: vtkPolyData
     surface: vtkDataObject
+    statistics: dict[str, str | int | float]
+    inside: np.ndarray | None = None
     t: np.ndarray | None = None
     cell_id: np.ndarray | None = None
     composite_index: np.ndarray | None = None
@@ -105,7 +113,8 @@ class Caster:
         ``"kd_tree"``, ``"bsp_tree"``, ``"embree"``, ``"cgal"``, ``"cgal_epick"`` or
         ``"cgal_cartesian"``. One that this build lacks is an
         error.
-    precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``.
+    precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``. None: exact for
+        what only that answers (``crossings``, `rounded_t`), else fast.
     bvh_build : ``"binned_sah"`` or ``"longest_axis_median"``.
     kd_build : ``"sah"`` or ``"spatial_median"``.
     leaf_size : a tree's nodes with more primitives than this are split; 1 to 1024.
@@ -124,7 +133,7 @@ class Caster:
         mesh: Mesh,
         *,
         structure: Structure | str = "auto",
-        precision: Precision | str = "fast",
+        precision: Precision | str | None = None,
         bvh_build: BvhBuild | str = "binned_sah",
         kd_build: KdBuild | str = "sah",
         leaf_size: int = 4,
@@ -137,7 +146,7 @@ class Caster:
         set_structure(
             self._filter,
             structure,
-            precision=precision,
+            precision=Precision.FAST if precision is None else precision,
             bvh_build=bvh_build,
             kd_build=kd_build,
             leaf_size=leaf_size,
@@ -146,6 +155,7 @@ class Caster:
             grid_resolution=grid_resolution,
             threads=threads,
         )
+        self._chooses_precision = precision is None
         self.mesh = mesh
 
     @property
@@ -167,6 +177,7 @@ class Caster:
         query: Query | str = "closest",
         *,
         cost: bool = False,
+        rounded_t: bool = False,
         progress: Callable[[float], None] | None = None,
     ) -> Hits:
         """Casts rays.
@@ -177,9 +188,12 @@ class Caster:
             `camera_rays`.
         t_min, t_max : closed limits of t; a number, or (n,) for a limit per ray. In a data set of
             rays, ``RayTMin`` and ``RayTMax`` come first.
-        query : ``"closest"``, ``"any"`` (is anything hit), ``"all"`` (every hit) or ``"count"``
-            (how many).
+        query : ``"closest"``, ``"any"`` (is anything hit), ``"all"`` (every hit), ``"count"`` (how
+            many), ``"ties"`` (every hit at the least t) or ``"crossings"``: how often the ray
+            passes through the surface, once also at edges and vertices; odd from inside a closed
+            surface.
         cost : also count what each ray's walk costs. Slower.
+        rounded_t : t is the double nearest to the exact one; of the precision exact.
         progress : called with the part that is done, from 0 to 1.
 
         Raises ValueError for wrong shapes, types and names; LumitreeError for what the filter
@@ -211,6 +225,12 @@ class Caster:
         self._filter.SetTMax(limits[1])
         self._filter.SetQuery(question)
         self._filter.SetCountTraversal(bool(cost))
+        self._filter.SetRoundedParameter(bool(rounded_t))
+        if self._chooses_precision:
+            exact = rounded_t or question == Query.CROSSINGS
+            self._filter.SetPrecision(Precision.EXACT if exact else Precision.FAST)
+        elif rounded_t and self._filter.GetPrecision() != Precision.EXACT:
+            raise ValueError("rounded_t needs the precision 'exact'")
         run(self._filter, progress)
         return _hits(self._filter, question, cost)
 
@@ -222,11 +242,12 @@ def cast(
     t_min: ArrayLike = 0.0,
     t_max: ArrayLike = np.inf,
     query: Query | str = "closest",
-    precision: Precision | str = "fast",
+    precision: Precision | str | None = None,
     structure: Structure | str = "auto",
     threads: int = 0,
     *,
     cost: bool = False,
+    rounded_t: bool = False,
     progress: Callable[[float], None] | None = None,
     **build: object,
 ) -> Hits:
@@ -238,7 +259,34 @@ def cast(
     >>> hits.t, hits.cell_id
     """
     caster = Caster(mesh, structure=structure, precision=precision, threads=threads, **build)
-    return caster.cast(origins, directions, t_min, t_max, query, cost=cost, progress=progress)
+    return caster.cast(
+        origins, directions, t_min, t_max, query, cost=cost, rounded_t=rounded_t, progress=progress
+    )
+
+
+def inside(
+    mesh: Mesh,
+    points: ArrayLike,
+    structure: Structure | str = "auto",
+    threads: int = 0,
+    *,
+    progress: Callable[[float], None] | None = None,
+    **build: object,
+) -> np.ndarray:
+    """Whether points lie inside a closed mesh: a bool for each, decided exactly.
+
+    points : (n, 3) or (3,).
+
+    The mesh is to be closed (see `surface_report`); its triangles need not share points, and may be
+    wound as they like. Of several closed meshes, or one that overlaps itself, a point is inside
+    when an odd number of them holds it. A point on the surface is where the point moved up along x
+    (then y, then z) by next to nothing is. Points with a coordinate that is not finite are outside,
+    and a LumitreeWarning counts them. Other arguments and errors are those of `cast`.
+
+    >>> lumitree.inside("bunny.ply", [(0, 0, 0), (9, 9, 9)])
+    """
+    caster = Caster(mesh, structure=structure, precision="exact", threads=threads, **build)
+    return caster.cast(points, (0.0, 0.0, 1.0), query="crossings", progress=progress).inside
 
 
 def _hits(filter_: vtkLumiRayCast, query: Query, cost: bool) -> Hits:
@@ -255,15 +303,18 @@ def _hits(filter_: vtkLumiRayCast, query: Query, cost: bool) -> Hits:
     if not per_ray.HasArray("HitMask"):
         per_ray = ray_set.GetCellData()
     result = {}
-    if query in (Query.CLOSEST, Query.ALL):
+    if query in (Query.CLOSEST, Query.ALL, Query.TIES):
         source = per_ray if query == Query.CLOSEST else per_hit
         result["t"] = from_vtk(source, "T")
         result["cell_id"] = from_vtk(source, "CellId")
         result["composite_index"] = from_vtk(source, "CompositeIndex")
-    if query == Query.ALL:
+    if query == Query.CROSSINGS:
+        result["inside"] = from_vtk(per_ray, "Inside").view(bool)
+    if query in (Query.ALL, Query.TIES):
         result["ray_id"] = from_vtk(per_hit, "RayId")
         result["offsets"] = np.append(from_vtk(per_ray, "HitOffset"), hits.GetNumberOfPoints())
     if cost:
         result["cost"] = {key: from_vtk(per_ray, name) for key, name in COST_ARRAYS.items()}
     hit, count = from_vtk(per_ray, "HitMask").view(bool), from_vtk(per_ray, "HitCount")
-    return Hits(hit, count, ray_set, hits, surface, **result)
+    statistics = first_row(filter_.GetOutputDataObject(3))
+    return Hits(hit, count, ray_set, hits, surface, statistics, **result)

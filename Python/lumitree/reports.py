@@ -22,7 +22,7 @@ from .errors import run
 from .files import write
 from .progress import progress_bar
 from .radiometry import irradiance
-from .raycast import Caster
+from .raycast import Caster, inside
 from .trees import hierarchy
 
 #: Boxes in a picture of a hierarchy: more hide each other.
@@ -107,10 +107,20 @@ class Report:
         steps = (
             f"steps through {mean['cells_stepped']:.3g} cells, " if mean["cells_stepped"] else ""
         )
+        unsure = result.statistics["ExactTests"]
+        decided = "" if self.precision == "fast" else f"; arithmetic left {unsure:,} questions open"
         return (
             f"{len(result.hit):,} rays in {seconds:.3g} s, {np.mean(result.hit):.0%} hit; on "
             f"average a ray enters {mean['nodes_entered']:.3g} nodes, {steps}"
-            f"tests {mean['primitives_tested']:.3g} triangles"
+            f"tests {mean['primitives_tested']:.3g} triangles{decided}"
+        )
+
+    def sides(self, points: Sequence[tuple[float, float, float]]) -> str:
+        """Returns a line about which of the points are inside the surface."""
+        flags = inside(self.surface, points, **self._tree_options)
+        return "; ".join(
+            f"{','.join(f'{x:g}' for x in point)} is {'inside' if flag else 'outside'}"
+            for point, flag in zip(points, flags)
         )
 
     def light(

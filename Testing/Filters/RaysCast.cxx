@@ -11,6 +11,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
@@ -239,6 +240,87 @@ TEST_F(RayCast, QueriesAgreeWithEachOther)
   }
 }
 
+TEST_F(RayCast, CrossingsTellInsideFromOutside)
+{
+  // From the centre exactly through vertices, and from far away.
+  std::vector<TestRay> rays;
+  for (vtkIdType i = 0; i < this->surface_->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    this->surface_->GetPoint(i, p.data());
+    rays.push_back({ { 0, 0, 0 }, p });
+    rays.push_back({ { 3, 0, 0 }, { p[0] - 3, p[1], p[2] } });
+  }
+  this->cast_->SetRaysData(pointRays(rays));
+  this->cast_->SetPrecision(vtkLumiRayCast::Exact);
+  const Outputs out = this->run(vtkLumiRayCast::Crossings);
+  EXPECT_EQ(shape(out.ray, "HitMask"), "unsigned char 1");
+  EXPECT_EQ(shape(out.ray, "HitCount"), "id 1");
+  EXPECT_EQ(shape(out.ray, "Inside"), "unsigned char 1");
+  EXPECT_EQ(out.ray->GetNumberOfArrays(), 4); // and RayDirection
+  EXPECT_EQ(out.hits->GetNumberOfPoints(), 0);
+  for (vtkIdType r = 0; r < out.rays->GetNumberOfPoints(); ++r)
+  {
+    ASSERT_EQ(value(out.ray, "Inside", r), r % 2 == 0 ? 1 : 0);
+    ASSERT_TRUE(r % 2 == 1 || value(out.ray, "HitCount", r) == 1);
+  }
+
+  Messages messages(this->cast_);
+  this->cast_->SetPrecision(vtkLumiRayCast::Watertight);
+  this->run(vtkLumiRayCast::Crossings);
+  EXPECT_EQ(messages.errors, 1);
+  EXPECT_NE(messages.text.find("'exact' only"), std::string::npos) << messages.text;
+  EXPECT_EQ(outputs(this->cast_).rays->GetNumberOfPoints(), 0);
+}
+
+TEST_F(RayCast, TiesAreHitsAtOneT)
+{
+  const auto walls = triangles({ { -9, -9, 4 }, { 9, -9, 4 }, { 0, 9, 4 }, { -9, -9, 5 },
+    { 9, -9, 5 }, { 0, 9, 5 }, { -9, -9, 4 }, { 9, -9, 4 }, { 0, 8, 4 } });
+  this->cast_->SetInputData(0, walls);
+  this->cast_->SetRaysData(
+    pointRays({ { { 0, 0, 0 }, { 0, 0, 2 } }, { { 0, 0, 9 }, { 0, 0, 1 } } }));
+  for (const int precision : { vtkLumiRayCast::Fast, vtkLumiRayCast::Exact })
+  {
+    this->cast_->SetPrecision(precision);
+    const Outputs out = this->run(vtkLumiRayCast::Ties);
+    ASSERT_EQ(out.hits->GetNumberOfPoints(), 2);
+    EXPECT_EQ(value(out.hit, "CellId", 0), 0);
+    EXPECT_EQ(value(out.hit, "CellId", 1), 2);
+    EXPECT_EQ(value(out.hit, "T", 1), 2.0);
+    EXPECT_EQ(value(out.ray, "T", 0), 2.0);
+    EXPECT_EQ(value(out.ray, "HitCount", 0), 2);
+    EXPECT_EQ(value(out.ray, "HitCount", 1), 0);
+    EXPECT_EQ(value(out.ray, "HitOffset", 1), 2);
+  }
+}
+
+TEST_F(RayCast, StatisticsAreOneRow)
+{
+  this->cast_->SetPrecision(vtkLumiRayCast::Exact);
+  this->cast_->RoundedParameterOn();
+  const Outputs out = this->run(vtkLumiRayCast::All);
+  auto* table = vtkTable::SafeDownCast(this->cast_->GetOutputDataObject(3));
+  ASSERT_EQ(table->GetNumberOfRows(), 1);
+  vtkDataSetAttributes* row = table->GetRowData();
+  EXPECT_EQ(table->GetValueByName(0, "Structure").ToString(), "wide_bvh");
+  EXPECT_EQ(table->GetValueByName(0, "Precision").ToString(), "exact");
+  EXPECT_EQ(table->GetValueByName(0, "Query").ToString(), "all");
+  EXPECT_EQ(value(row, "Rays", 0), 500);
+  EXPECT_EQ(value(row, "InvalidRays", 0), 0);
+  EXPECT_EQ(value(row, "Hits", 0), static_cast<double>(out.hits->GetNumberOfPoints()));
+  EXPECT_EQ(value(row, "ExactParameters", 0), value(row, "Hits", 0));
+  EXPECT_EQ(shape(row, "ExactTests"), "id 1");
+  EXPECT_LE(2 * value(row, "RaysHit", 0), value(row, "Hits", 0));
+
+  // Of the other precisions it is ignored.
+  this->cast_->SetPrecision(vtkLumiRayCast::Fast);
+  Messages messages(this->cast_);
+  this->run(vtkLumiRayCast::Closest);
+  EXPECT_EQ(messages.errors, 0);
+  EXPECT_EQ(table->GetNumberOfColumns(), 9);
+}
+
 TEST_F(RayCast, LimitsAreClosedAndInUnitsOfTheDirection)
 {
   const auto wall = triangles({ { -9, -9, 4 }, { 9, -9, 4 }, { 0, 9, 4 } });
@@ -392,9 +474,10 @@ TEST_F(RayCast, PrintsItself)
 {
   std::ostringstream text;
   this->cast_->Print(text);
-  for (const char* name : { "Query", "Structure", "Precision", "BvhBuild", "KdBuild", "LeafSize",
-         "MaxDepth", "GridDensity", "GridResolution", "TMin", "TMax", "PassSurfaceData",
-         "CountTraversal", "NumberOfThreads", "OutputPointsPrecision", "Controller" })
+  for (const char* name :
+    { "Query", "RoundedParameter", "Structure", "Precision", "BvhBuild", "KdBuild", "LeafSize",
+      "MaxDepth", "GridDensity", "GridResolution", "TMin", "TMax", "PassSurfaceData",
+      "CountTraversal", "NumberOfThreads", "OutputPointsPrecision", "Controller" })
   {
     EXPECT_NE(text.str().find(std::string(name) + ": "), std::string::npos) << name;
   }

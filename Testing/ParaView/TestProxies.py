@@ -15,7 +15,7 @@ CHOICES = {
     "Precision": "Fast Watertight Exact",
     "BvhBuild": "LongestAxisMedian BinnedSah",
     "KdBuild": "SpatialMedian Sah",
-    "Query": "Closest Any All Count",
+    "Query": "Closest Any All Count Crossings Ties",
     "LengthUnit": "Metre Millimetre Centimetre Kilometre Inch Foot",
     "ReceiverLocation": "Points Cells",
     "SourceLocation": "Points Cells",

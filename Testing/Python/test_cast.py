@@ -88,6 +88,59 @@ def test_any_and_count_give_no_hits():
     assert counted.count.tolist() == [3, 0, 2] and counted.cell_id is None
 
 
+def cube(low, high):
+    """Twelve triangles that share no points, wound at random."""
+    corners = np.array([[(low, high)[i >> k & 1] for k in range(3)] for i in range(8)], float)
+    faces = [(0, 2, 6, 4), (1, 5, 7, 3), (0, 4, 5, 1), (2, 3, 7, 6), (0, 1, 3, 2), (4, 6, 7, 5)]
+    triangles = [t for a, b, c, d in faces for t in ((a, b, c), (c, a, d))]
+    return corners[np.array(triangles)].reshape(-1, 3), np.arange(36).reshape(-1, 3)
+
+
+def test_crossings_tell_inside_from_outside_in_every_direction():
+    cubes = joined(cube(0.0, 2.0), cube(2.0, 4.0))
+    lattice = np.stack(np.meshgrid(*[np.arange(-1.0, 5.5, 0.5)] * 3), -1).reshape(-1, 3)
+    within = [((low <= lattice) & (lattice < low + 2)).all(axis=1) for low in (0.0, 2.0)]
+    for direction in ((0, 0, 1), (1, 0, 0), (-1, -1, -1), (1, -1, 0), (0.3, 0.2, -0.9)):
+        hits = lumitree.cast(cubes, lattice, direction, query="crossings")
+        assert (hits.inside == (within[0] | within[1])).all(), direction
+        assert (hits.inside == (hits.count % 2 == 1)).all() and hits.t is None
+        assert (hits.hit == (hits.count > 0)).all()
+    assert (lumitree.inside(cubes, lattice) == hits.inside).all()
+    assert lumitree.inside(cubes, (1, 1, 1)).tolist() == [True]
+    assert hits.statistics["Query"] == "crossings" and hits.statistics["ExactTests"] > 0
+    assert hits.statistics["Hits"] == hits.count.sum()
+
+
+def test_crossings_are_of_exact_alone():
+    with pytest.raises(lumitree.LumitreeError, match="'crossings'.*'exact' only, not 'fast'"):
+        lumitree.cast(FLOORS, ABOVE, DOWN, query="crossings", precision="fast")
+    caster = lumitree.Caster(FLOORS)
+    assert caster.cast(ABOVE, DOWN, query="crossings").statistics["Precision"] == "exact"
+    assert caster.cast(ABOVE, DOWN).statistics["Precision"] == "fast"
+
+
+def test_ties_are_all_hits_at_the_least_t():
+    twice = joined(floor(1.0), floor(1.0, size=3.0), floor(0.0))
+    hits = lumitree.cast(twice, [(0.5, 0.5, 5.0), (4.0, 2.0, 5.0)], DOWN, query="ties")
+    assert hits.cell_id.tolist() == [0, 1, 2, 3, 0] and hits.offsets.tolist() == [0, 4, 5]
+    assert hits.t.tolist() == [4.0] * 5 and hits.ray_id.tolist() == [0, 0, 0, 0, 1]
+
+
+def test_t_is_the_nearest_double_on_request():
+    mesh = (np.array([(-1, -1, 3.0), (1, -1, 3.0), (0, 1, 3.0)]), np.array([(0, 1, 2)]))
+    hits = lumitree.cast(mesh, (0, 0, 0), (0.25, 0, 7.0), rounded_t=True)
+    assert hits.t[0] == 3 / 7 and hits.statistics["ExactParameters"] == 1
+    with pytest.raises(ValueError, match="rounded_t needs the precision 'exact'"):
+        lumitree.cast(mesh, (0, 0, 0), (0, 0, 1), rounded_t=True, precision="watertight")
+
+
+def test_statistics_are_of_all_rays():
+    with pytest.warns(lumitree.LumitreeWarning, match="1 of 3 rays"):
+        facts = lumitree.cast(FLOORS, ABOVE, [DOWN, (0, 0, 0), DOWN], query="all").statistics
+    assert facts["Rays"] == 3 and facts["InvalidRays"] == 1
+    assert facts["RaysHit"] == 2 and facts["Hits"] == 5 and facts["ExactTests"] == 0
+
+
 def test_limits_are_closed_and_may_differ_per_ray():
     ray = ABOVE[[0, 0, 0, 0]]
     scalars = lumitree.cast(FLOORS, ray, DOWN, t_min=2.5, t_max=4.5, query="count")

@@ -123,6 +123,13 @@ def test_what_is_wrong_is_told_and_the_code_is_2(mesh, in_tmp, arguments, messag
     assert done.stderr.count("\n") == 1 or "usage:" in done.stderr
 
 
+def test_points_inside_or_outside(in_tmp):
+    where = ("--inside", "0,0,0", "--inside", "3,0,0.5")
+    done = run("scene:sphere", "--resolution", "4", *where, "--no-pictures", "--precision", "exact")
+    assert "0,0,0 is inside; 3,0,0.5 is outside" in done.stdout
+    assert "questions open" in done.stdout
+
+
 def test_no_screen_still_gives_data(in_tmp, mesh, monkeypatch):
     monkeypatch.setenv("DISPLAY", "")
     monkeypatch.setenv("LUMITREE_VIRTUAL_SCREEN", "1")  # as if there were no xvfb-run
