@@ -131,7 +131,7 @@ TEST(RaysDistributed, RankZeroShowsTheStructureForAll)
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(structure->GetOutputDataObject(0));
   auto* table = vtkTable::SafeDownCast(structure->GetOutputDataObject(1));
   EXPECT_EQ(blocks->GetNumberOfBlocks(), 3u); // three leaves
-  EXPECT_EQ(table->GetNumberOfColumns(), 16);
+  EXPECT_EQ(table->GetNumberOfColumns(), 19);
   EXPECT_EQ(table->GetNumberOfRows(), rank() == 0 ? 1 : 0);
   auto* root = vtkPolyData::SafeDownCast(blocks->GetBlock(0));
   EXPECT_EQ(root->GetNumberOfCells(), rank() == 0 ? 12 : 0);
