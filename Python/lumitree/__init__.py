@@ -8,6 +8,7 @@
 `camera_rays`, `rays`       sets of rays as VTK data sets
 `hierarchy`                 the tree over a mesh, as boxes and statistics
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
+`accuracy_chart`            speed against accuracy of every structure on a mesh
 `irradiance`                light on a mesh, with shadows and units
 `point_light`,              lights
 `directional_light`
@@ -20,6 +21,7 @@ files' names. What VTK reports as an error is raised as `LumitreeError`; a wrong
 `ValueError`. ``python3 -m lumitree --help`` tells of the command line.
 """
 
+from .accuracy import accuracy_chart
 from .camera import camera_rays
 from .choices import (
     BvhBuild,
@@ -59,6 +61,7 @@ __all__ = [
     "Scene",
     "Structure",
     "SurfaceReport",
+    "accuracy_chart",
     "camera_rays",
     "cast",
     "directional_light",

@@ -12,6 +12,7 @@ PROXIES = {
     "sources": ["LumiScene", "LumiCameraRays", "LumiRays", "LumiPointLight", "LumiDirectionalLight"],
     "filters": [
         "LumiAccelerationStructure",
+        "LumiAccuracyChart",
         "LumiCameraRaysOfScene",
         "LumiIrradiance",
         "LumiRayCast",
