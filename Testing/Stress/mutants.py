@@ -39,10 +39,6 @@ class Mutant(NamedTuple):
 MUTANTS = [
     Mutant("No pad in the boxes' slab test in double", "Accel/Kernel/RayBox.h",
            "relativePad = 0x1p-40", "relativePad = 0x1p-80"),
-    Mutant("`<` for `<=` where a ray enters and leaves a box", "Accel/Kernel/RayBox.h",
-           "return tEnter <= tExit && tEnter <= tStop;", "return tEnter < tExit && tEnter <= tStop;"),
-    Mutant("`<` for `<=` against the best hit", "Accel/Kernel/RayBox.h",
-           "return tEnter <= tExit && tEnter <= tStop;", "return tEnter <= tExit && tEnter < tStop;"),
     Mutant("A NaN slab rules the box out", "Accel/Kernel/RayBox.h",
            "enter = tNear > enter ? tNear : enter;", "enter = enter > tNear ? enter : tNear;"),
     Mutant("No pad in the eight-wide tree's slab test", "Accel/Structures/WideBvhWalk.cxx",
@@ -51,10 +47,8 @@ MUTANTS = [
            "std::fabs(o) * 0x1p-22 + 0x1p-120", "0.0"),
     Mutant("The eight-wide tree's boxes are not rounded outward", "Accel/Structures/BvhFrame.h",
            "v - (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v"),
-    Mutant("`<` for `<=` in the eight-wide tree", "Accel/Structures/WideBvhWalk.cxx",
-           "return (enter <= exit).bits();", "return (enter < exit).bits();"),
-    Mutant("A waiting box that begins at the best hit is passed over", "Accel/Structures/WideBvhWalk.cxx",
-           "while (next.enter > stop)", "while (next.enter >= stop)"),
+    Mutant("Boxes behind half of the way to the best hit are passed over", "Accel/Structures/WideBvhWalk.cxx",
+           "while (next.enter > stop)", "while (next.enter > 0.5f * stop)"),
     Mutant("The bound of edge functions halved", "Accel/Kernel/EdgeFilter.h",
            "edgeBound = 16 * 0x1p-53", "edgeBound = 8 * 0x1p-53"),
     Mutant("The bound of edge functions a hundredth", "Accel/Kernel/EdgeFilter.h",
@@ -192,6 +186,7 @@ def page(rows: list[tuple[Mutant, str | None]]) -> str:
         "",
         "`./lumitree mutants` makes this page. It breaks a copy of the core, one way after the other, builds it with GCC at -O1 and runs",
         "the tests of the core (without CGAL and Embree). A mutant that no test notices would mean that what it breaks is not tested.",
+        "`<` for `<=` in a slab test is not among them: entry and exit are padded apart, so that it changes no answer while the pads are there.",
         "",
         f"{sum(1 for r in rows if r[1])} of {len(rows)} are noticed.",
         "",
@@ -223,9 +218,9 @@ def main() -> int:
     for mutant in chosen:
         start = time.monotonic()
         rows.append((mutant, copy.kill(mutant)))
+        if not arguments.only:
+            arguments.page.write_text(page(rows))
         print(f"{rows[-1][1] or 'SURVIVES'}: {mutant.what} ({time.monotonic() - start:.0f} s)", flush=True)
-    if not arguments.only:
-        arguments.page.write_text(page(rows))
     return 1 if any(r[1] is None for r in rows) else 0
 
 
