@@ -3,6 +3,7 @@
 #include "Accel/Hierarchy.h"
 
 #include "Accel/BuildOptions.h"
+#include "Accel/Structures/ConvexPolyhedron.h"
 #include "Accel/Surface.h"
 
 #include <algorithm>
@@ -12,12 +13,14 @@ namespace lumitree
 
 void completeHierarchy(HierarchyView& view)
 {
-  const double rootArea = view.nodes.empty() ? 0.0 : view.nodes.front().box.area();
+  const auto areaOfNode = [&](std::size_t i)
+  { return view.polyhedra.empty() ? view.nodes[i].box.area() : areaOf(view.polyhedra[i]); };
+  const double rootArea = view.nodes.empty() ? 0.0 : areaOfNode(0);
   // Parents come before their children, so counts flow upward in one backward pass.
   for (std::size_t i = view.nodes.size(); i-- > 0;)
   {
     HierarchyNode& node = view.nodes[i];
-    const double share = rootArea > 0.0 ? node.box.area() / rootArea : 0.0;
+    const double share = rootArea > 0.0 ? areaOfNode(i) / rootArea : 0.0;
     node.cost = share * (node.leaf ? node.referenceCount : 1);
     if (node.parent >= 0)
     {

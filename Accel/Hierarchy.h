@@ -33,12 +33,22 @@ struct HierarchyNode
          ///< its primitives (leaf); the sum over all nodes is BuildStatistics::sahCost
 };
 
+/// A convex polyhedron; faces are lists of its points, counter-clockwise seen from outside.
+struct Polyhedron
+{
+  std::vector<Vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
 /// Any structure, walked as a flat list of nodes.
 struct HierarchyView
 {
   std::vector<HierarchyNode> nodes;
   std::vector<PrimitiveId> references;
   std::array<int, 3> gridResolution = { 0, 0, 0 }; ///< cells of a grid along x, y, z; else 0
+  /// One per node where cells are not boxes (BSP-trees), else none; without faces where there is no
+  /// cell. Costs then go by their areas, relative to the root's.
+  std::vector<Polyhedron> polyhedra;
 };
 
 class Surface;

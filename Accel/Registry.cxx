@@ -6,6 +6,7 @@
 #include "Accel/Reference/Embree/EmbreeAccelerator.h"
 #endif
 #include "Accel/Structures/BruteForce.h"
+#include "Accel/Structures/BspTree.h"
 #include "Accel/Structures/Bvh.h"
 #include "Accel/Structures/Grid.h"
 #include "Accel/Structures/KdTree.h"
@@ -33,6 +34,7 @@ Registry::Registry()
   this->add({ Structure::Grid, "uniform grid", buildGrid });
   this->add({ Structure::Octree, "octree", buildOctree });
   this->add({ Structure::KdTree, "KD-tree", buildKdTree });
+  this->add({ Structure::BspTree, "BSP-tree", buildBspTree });
 #if defined(LUMITREE_EMBREE_MAJOR)
   this->add({ Structure::Embree, "Intel Embree, in float; shown as one node", buildEmbree });
 #endif

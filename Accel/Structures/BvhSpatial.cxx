@@ -210,14 +210,21 @@ void SpatialStrategy::ids(BvhSegment& segment, PrimitiveId* out) const
   this->binned_.ids(segment, out);
 }
 
-SpatialStrategy::Corners SpatialStrategy::corners(PrimitiveId id) const
+BuildBox SpatialStrategy::partOf(const BuildReference& r, int axis, float low, float high) const
 {
-  Corners corners = this->surface_.vertices(id);
+  BuildBox part = boxOf(r);
+  if (this->surface_.isQuadric(r.id))
+  {
+    part.lower[axis] = std::max(part.lower[axis], low);
+    part.upper[axis] = std::min(part.upper[axis], high);
+    return part;
+  }
+  std::array<Vec3, 3> corners = this->surface_.vertices(r.id);
   for (Vec3& p : corners)
   {
     p = this->frame_.scale * (p - this->frame_.centre);
   }
-  return corners;
+  return common(part, partBetween(corners, axis, low, high));
 }
 
 SpatialStrategy::Plane SpatialStrategy::bestPlane(const BvhSegment& segment) const
@@ -266,12 +273,10 @@ SpatialStrategy::Plane SpatialStrategy::bestPlane(const BvhSegment& segment) con
         bins[first].box.extend(whole);
         continue;
       }
-      const Corners corners = this->corners(r.id);
       for (int b = first; b <= last; ++b)
       {
-        const BuildBox part = common(whole,
-          partBetween(corners, axis, b == 0 ? -infinity : planes[b],
-            b + 1 == binCount ? infinity : planes[b + 1]));
+        const BuildBox part = this->partOf(
+          r, axis, b == 0 ? -infinity : planes[b], b + 1 == binCount ? infinity : planes[b + 1]);
         if (!isEmpty(part))
         {
           bins[b].box.extend(part);
@@ -335,9 +340,8 @@ bool SpatialStrategy::divide(
     unsigned sides = plane.sidesOf(r);
     if (sides == 3)
     {
-      const Corners corners = this->corners(r.id);
-      below = common(below, partBetween(corners, plane.axis, -infinity, plane.position));
-      above = common(above, partBetween(corners, plane.axis, plane.position, infinity));
+      below = this->partOf(r, plane.axis, -infinity, plane.position);
+      above = this->partOf(r, plane.axis, plane.position, infinity);
       // What is not on one side is on the other.
       sides = isEmpty(below) ? 2 : (isEmpty(above) ? 1 : 3);
     }

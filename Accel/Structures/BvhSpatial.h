@@ -30,9 +30,10 @@ public:
 
 private:
   struct Plane;
-  using Corners = std::array<Vec3, 3>;
 
-  [[nodiscard]] Corners corners(PrimitiveId id) const;
+  /// What a reference has between two planes across an axis; empty where that is nothing. Of a
+  /// quadric, what its box has.
+  [[nodiscard]] BuildBox partOf(const BuildReference& r, int axis, float low, float high) const;
   [[nodiscard]] Plane bestPlane(const BvhSegment& segment) const;
 
   /// False where the plane gains nothing or takes too much room; nothing is changed then.

@@ -117,10 +117,82 @@ struct NodeArrays
   }
 };
 
+/// Of the polyhedron's edges one way, or of its faces, the points.
+std::vector<std::vector<std::uint32_t>> cellsOf(const Polyhedron& polyhedron, NodeShape shape)
+{
+  if (shape == NodeShape::Cells)
+  {
+    return polyhedron.faces;
+  }
+  std::vector<std::vector<std::uint32_t>> lines;
+  for (const auto& face : polyhedron.faces)
+  {
+    for (std::size_t i = 0; i < face.size(); ++i)
+    {
+      const std::uint32_t a = face[i];
+      const std::uint32_t b = face[(i + 1) % face.size()];
+      if (a < b) // the neighbour has it the other way round
+      {
+        lines.push_back({ a, b });
+      }
+    }
+  }
+  return lines;
+}
+
+void setCells(vtkPolyData* block, NodeShape shape, vtkCellArray* cells, bool withVisits)
+{
+  shape == NodeShape::Outlines ? block->SetLines(cells) : block->SetPolys(cells);
+  block->GetCellData()->SetActiveScalars(withVisits ? "Visits" : "SurfaceAreaCost");
+}
+
+/// Nodes whose cells are not boxes, with as many points and cells as each has.
+vtkNew<vtkPolyData> makePolyhedra(const HierarchyView& hierarchy, const std::uint64_t* visits,
+  const NodeIds& nodes, const HierarchyOptions& options)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  std::vector<std::size_t> nodeOfCell;
+  for (const std::size_t node : nodes)
+  {
+    const Polyhedron& polyhedron = hierarchy.polyhedra[node];
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (const Vec3& p : polyhedron.points)
+    {
+      points->InsertNextPoint(p.data());
+    }
+    for (const auto& cell : cellsOf(polyhedron, options.shape))
+    {
+      cells->InsertNextCell(static_cast<int>(cell.size()));
+      for (const std::uint32_t p : cell)
+      {
+        cells->InsertCellPoint(first + static_cast<vtkIdType>(p));
+      }
+      nodeOfCell.push_back(node);
+    }
+  }
+  vtkNew<vtkPolyData> block;
+  block->SetPoints(points);
+  NodeArrays arrays(
+    block->GetCellData(), static_cast<vtkIdType>(nodeOfCell.size()), visits != nullptr);
+  for (std::size_t c = 0; c < nodeOfCell.size(); ++c)
+  {
+    const std::size_t node = nodeOfCell[c];
+    arrays.set(static_cast<vtkIdType>(c), node, hierarchy.nodes[node], visits ? visits[node] : 0);
+  }
+  setCells(block, options.shape, cells, visits != nullptr);
+  return block;
+}
+
 vtkNew<vtkPolyData> makeBlock(const HierarchyView& hierarchy, const std::uint64_t* visits,
   const NodeIds& held, const HierarchyOptions& options)
 {
   const NodeIds& nodes = options.drawNothing ? NodeIds() : held;
+  if (!hierarchy.polyhedra.empty())
+  {
+    return makePolyhedra(hierarchy, visits, nodes, options);
+  }
   const ShapeSizes sizes = sizesOf(options.shape);
   const auto count = static_cast<vtkIdType>(nodes.size());
   const vtkIdType cells = sizes.cells * count;
@@ -162,15 +234,7 @@ vtkNew<vtkPolyData> makeBlock(const HierarchyView& hierarchy, const std::uint64_
   block->SetPoints(points);
   vtkNew<vtkCellArray> cellArray;
   cellArray->SetData(offsets, connectivity);
-  if (options.shape == NodeShape::Outlines)
-  {
-    block->SetLines(cellArray);
-  }
-  else
-  {
-    block->SetPolys(cellArray);
-  }
-  block->GetCellData()->SetActiveScalars(visits ? "Visits" : "SurfaceAreaCost");
+  setCells(block, options.shape, cellArray, visits != nullptr);
   return block;
 }
 

@@ -15,8 +15,8 @@ namespace lumitree::filters
 /// How nodes become cells.
 enum class NodeShape : int
 {
-  Outlines = 0, ///< 12 lines
-  Cells = 1     ///< 6 quads
+  Outlines = 0, ///< the edges: 12 lines of a box
+  Cells = 1     ///< the faces: 6 quads of a box, convex polygons of a polyhedron
 };
 
 struct HierarchyOptions

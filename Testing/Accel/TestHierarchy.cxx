@@ -132,6 +132,81 @@ TEST(Hierarchy, LeavesMeetThePrimitivesTheyHold)
     });
 }
 
+/// Of a convex polyhedron whose faces are seen counter-clockwise.
+double volumeOf(const Polyhedron& polyhedron)
+{
+  double volume = 0.0;
+  for (const auto& face : polyhedron.faces)
+  {
+    const Vec3 origin = polyhedron.points.front();
+    const Vec3 a = polyhedron.points[face[0]] - origin;
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+    {
+      volume +=
+        dot(
+          a, cross(polyhedron.points[face[i]] - origin, polyhedron.points[face[i + 1]] - origin)) /
+        6.0;
+    }
+  }
+  return volume;
+}
+
+TEST(Hierarchy, CellsOfABspTreeAreConvexAndTileTheBox)
+{
+  for (const auto& surface : surfaces())
+  {
+    const auto tree = build(surface, optionsOf(Structure::BspTree));
+    const HierarchyView view = tree->hierarchy();
+    ASSERT_EQ(view.polyhedra.size(), view.nodes.size());
+    if (surface->size() == 0)
+    {
+      EXPECT_TRUE(view.polyhedra.front().faces.empty());
+      continue;
+    }
+    std::vector<double> below(view.nodes.size(), 0.0);
+    std::size_t slanted = 0;
+    const Vec3 size = view.nodes[0].box.size();
+    const double reach = length(view.nodes[0].box.lower) + length(size);
+    for (std::size_t i = view.nodes.size(); i-- > 0;)
+    {
+      const Polyhedron& cell = view.polyhedra[i];
+      const double volume = volumeOf(cell);
+      below[i] += view.nodes[i].leaf ? volume : 0.0;
+      if (view.nodes[i].parent >= 0)
+      {
+        below[static_cast<std::size_t>(view.nodes[i].parent)] += below[i];
+      }
+      slanted += !view.nodes[i].leaf && view.nodes[i].splitAxis < 0 ? 1 : 0;
+      // Every edge belongs to two faces, once each way.
+      std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+      for (const auto& face : cell.faces)
+      {
+        ASSERT_GE(face.size(), 3u);
+        for (std::size_t k = 0; k < face.size(); ++k)
+        {
+          ASSERT_TRUE(edges.insert({ face[k], face[(k + 1) % face.size()] }).second);
+        }
+      }
+      for (const auto& edge : edges)
+      {
+        ASSERT_EQ(edges.count({ edge.second, edge.first }), 1u) << "node " << i;
+      }
+      for (const Vec3& p : cell.points)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          ASSERT_GE(p[k], view.nodes[i].box.lower[k] - 1e-14 * reach);
+          ASSERT_LE(p[k], view.nodes[i].box.upper[k] + 1e-14 * reach);
+        }
+      }
+    }
+    const double whole = size[0] * size[1] * size[2];
+    EXPECT_NEAR(volumeOf(view.polyhedra[0]), whole, 1e-12 * reach * reach * reach);
+    EXPECT_NEAR(below[0], whole, 1e-12 * std::max(whole, 1e-3 * reach * reach * reach));
+    EXPECT_TRUE(slanted > 0 || whole == 0.0);
+  }
+}
+
 TEST(Hierarchy, StatisticsDescribeTheNodes)
 {
   forEverything(

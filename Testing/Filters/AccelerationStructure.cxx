@@ -136,6 +136,30 @@ TEST_F(Structure, EveryOptionOfTheBuildReachesIt)
   EXPECT_EQ(value(this->row(), "Leaves", 0), 2);
 }
 
+TEST_F(Structure, CellsOfABspTreeAreShownAsThePolyhedraTheyAre)
+{
+  this->filter_->SetStructure(vtkLumiAccelerationStructure::BspTree);
+  this->filter_->SetMaximumLevel(6);
+  for (const int shape : { 0, 1 })
+  {
+    this->filter_->SetRepresentation(shape);
+    this->filter_->Update();
+    ASSERT_GT(this->blocks()->GetNumberOfBlocks(), 6u);
+    auto* root = vtkPolyData::SafeDownCast(this->blocks()->GetBlock(0));
+    EXPECT_EQ(root->GetNumberOfCells(), shape == 0 ? 12 : 6);
+    auto* deep = vtkPolyData::SafeDownCast(this->blocks()->GetBlock(6));
+    ASSERT_GT(deep->GetNumberOfCells(), 0);
+    vtkIdType largest = 0;
+    for (vtkIdType c = 0; c < deep->GetNumberOfCells(); ++c)
+    {
+      largest = std::max(largest, deep->GetCell(c)->GetNumberOfPoints());
+    }
+    EXPECT_TRUE(shape == 0 ? largest == 2 : largest > 4);
+    EXPECT_EQ(
+      deep->GetCellData()->GetArray("NodeId")->GetNumberOfTuples(), deep->GetNumberOfCells());
+  }
+}
+
 TEST_F(Structure, OverlapAndObservedCostAreMeasured)
 {
   EXPECT_TRUE(std::isnan(value(this->row(), "ObservedSahCost", 0)));
@@ -416,9 +440,12 @@ TEST_F(Structure, VisitsAreWhatTheRaysEnter)
         vtkCellData* data = this->block(b)->GetCellData();
         EXPECT_STREQ(data->GetScalars()->GetName(), "Visits");
         EXPECT_EQ(shape(data, "Visits"), "id 1");
-        for (vtkIdType c = 0; c < this->block(b)->GetNumberOfCells(); c += 12)
+        double last = -1; // the cells of a node stand side by side
+        for (vtkIdType c = 0; c < this->block(b)->GetNumberOfCells(); ++c)
         {
-          visits += value(data, "Visits", c);
+          const double node = value(data, "NodeId", c);
+          visits += node == last ? 0.0 : value(data, "Visits", c);
+          last = node;
         }
       }
       if (s != lumitree::Structure::Grid)

@@ -1,0 +1,422 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/BspBuilder.h"
+
+#include "Accel/Structures/BspFrame.h"
+#include "Accel/Structures/KdTreeClip.h"
+#include "Accel/Structures/KdTreeSplitters.h"
+#include "Accel/Structures/QuadricBoxOverlap.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace lumitree
+{
+namespace
+{
+
+/// Costs of a step down, in tests of a block of four triangles: any plane takes more than one
+/// across an axis.
+///@{
+constexpr double axisStepCost = 0.75;
+constexpr double planeStepCost = 1.0;
+///@}
+/// What a plane costs that leaves one side empty.
+constexpr double emptyBonus = 0.8;
+constexpr std::size_t trianglesTried = 16;
+constexpr std::size_t mostForPlanes = 4096;
+
+/// Leaf tests go by blocks of four triangles.
+double testCost(std::size_t count)
+{
+  return static_cast<double>((count + 3) / 4);
+}
+
+/// A cell and what reaches into it, to become the node `node`.
+struct Task
+{
+  Box cell;              ///< holds the cell
+  Polyhedron polyhedron; ///< the cell, nearly, in the frame
+  std::vector<KdReference> references;
+  std::size_t allowance; ///< references that the leaves below may hold together
+  std::uint32_t node;
+  int depth;
+};
+
+/// A plane that may divide a cell.
+struct Candidate
+{
+  Vec3 normal = { 0.0, 0.0, 0.0 };
+  double offset = 0.0;
+  int axis = -1;
+  bool inPlaneBelow = true; ///< across an axis: what lies in the plane goes below it
+};
+
+enum class Side : std::uint8_t
+{
+  Below,
+  Above,
+  Both
+};
+
+struct Division
+{
+  Candidate plane;
+  double cost = 0.0;
+  std::optional<std::pair<Polyhedron, Polyhedron>> parts;
+};
+
+class Builder
+{
+public:
+  Builder(const Surface& surface, LeafBlocks& blocks, BuildProgress& progress)
+    : surface_(surface)
+    , blocks_(blocks)
+    , progress_(progress)
+    , frame_(bspFrameOf(surface.bounds()))
+    , axisSplitter_(kdSahSplitter())
+  {
+  }
+
+  BspNodes build(int maxDepth)
+  {
+    const std::size_t count = this->surface_.hittable().size();
+    this->tree_.nodes.emplace_back();
+    this->tree_.cell = this->surface_.bounds();
+    const int depthLimit = std::min(maxDepth,
+      static_cast<int>(
+        8.0 + 1.3 * std::log2(static_cast<double>(std::max<std::size_t>(1, count)))));
+    std::vector<Task> tasks(1);
+    this->makeRoot(tasks.front());
+    this->progress_.stage(0.99, tasks.front().allowance);
+    while (!tasks.empty())
+    {
+      Task task = std::move(tasks.back());
+      tasks.pop_back();
+      this->progress_.advance(0);
+      if (task.depth >= depthLimit || !this->split(task, tasks))
+      {
+        this->makeLeaf(task);
+        this->progress_.advance(task.allowance);
+      }
+    }
+    return std::move(this->tree_);
+  }
+
+private:
+  void makeRoot(Task& root)
+  {
+    root.cell = this->tree_.cell;
+    root.node = 0;
+    root.depth = 0;
+    for (const PrimitiveId id : this->surface_.hittable())
+    {
+      root.references.push_back({ this->surface_.box(id), id });
+    }
+    root.allowance = bspReferencesPerTriangle * root.references.size();
+    if (!root.cell.empty())
+    {
+      root.polyhedron = framedRoot(this->frame_, root.cell);
+    }
+  }
+
+  [[nodiscard]] Vec3 framed(const Vec3& x) const { return framedPoint(this->frame_, x); }
+
+  bool split(Task& task, std::vector<Task>& tasks)
+  {
+    if (task.references.size() < 2)
+    {
+      return false;
+    }
+    Division best;
+    best.cost = testCost(task.references.size());
+    const KdSplit across = this->axisSplitter_(task.cell, task.references);
+    if (across.axis >= 0)
+    {
+      Candidate plane;
+      plane.axis = across.axis;
+      plane.normal[static_cast<std::size_t>(across.axis)] = 1.0;
+      plane.offset = across.position;
+      plane.inPlaneBelow = across.inPlaneBelow;
+      this->offer(task, plane, best);
+    }
+    if (task.references.size() <= mostForPlanes)
+    {
+      const std::size_t step = (task.references.size() + trianglesTried - 1) / trianglesTried;
+      for (std::size_t i = 0; i < task.references.size(); i += step)
+      {
+        for (const bool below : { true, false })
+        {
+          if (const auto plane = this->planeBeside(task.references[i].id, below))
+          {
+            this->offer(task, *plane, best);
+          }
+        }
+      }
+    }
+    return best.parts && this->divide(task, best, tasks);
+  }
+
+  /// A plane so little beside a triangle that the triangle is certainly on the side asked for.
+  [[nodiscard]] std::optional<Candidate> planeBeside(PrimitiveId id, bool triangleBelow) const
+  {
+    const auto v = this->surface_.vertices(id);
+    const Vec3 a = this->framed(v[0]);
+    Candidate plane;
+    plane.normal = cross(this->framed(v[1]) - a, this->framed(v[2]) - a);
+    double largest = 0.0;
+    for (const double n : plane.normal)
+    {
+      largest = std::max(largest, std::fabs(n));
+    }
+    if (!(largest > 0x1p-200))
+    {
+      return std::nullopt;
+    }
+    for (double& n : plane.normal)
+    {
+      n /= largest;
+    }
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    double margin = 0.0;
+    for (const Vec3& p : v)
+    {
+      const PlaneDistance distance(plane.normal, 0.0, p);
+      low = std::min(low, distance.value);
+      high = std::max(high, distance.value);
+      margin = std::max(margin, distance.margin);
+    }
+    // The offset adds its own magnitude to the margin: four margins are certainly enough.
+    plane.offset = triangleBelow ? high + 4.0 * margin : low - 4.0 * margin;
+    return plane;
+  }
+
+  [[nodiscard]] Side sideOf(const KdReference& r, const Candidate& plane) const
+  {
+    if (plane.axis >= 0)
+    {
+      const auto axis = static_cast<std::size_t>(plane.axis);
+      const double lower = r.bounds.lower[axis];
+      const double upper = r.bounds.upper[axis];
+      if (lower == plane.offset && upper == plane.offset)
+      {
+        return plane.inPlaneBelow ? Side::Below : Side::Above;
+      }
+      return upper <= plane.offset ? Side::Below
+                                   : (lower >= plane.offset ? Side::Above : Side::Both);
+    }
+    // Of a quadric they are NaN, and nothing is certain.
+    bool below = true;
+    bool above = true;
+    for (const Vec3& p : this->surface_.vertices(r.id))
+    {
+      const PlaneDistance distance(plane.normal, plane.offset, p);
+      below = below && distance.value < -distance.margin;
+      above = above && distance.value > distance.margin;
+    }
+    if (below || above)
+    {
+      return below ? Side::Below : Side::Above;
+    }
+    // The corners of the part's box that are farthest below and above.
+    Vec3 low;
+    Vec3 high;
+    for (int k = 0; k < 3; ++k)
+    {
+      const bool rises = plane.normal[k] > 0.0;
+      low[k] = rises ? r.bounds.lower[k] : r.bounds.upper[k];
+      high[k] = rises ? r.bounds.upper[k] : r.bounds.lower[k];
+    }
+    const PlaneDistance lowest(plane.normal, plane.offset, low);
+    const PlaneDistance highest(plane.normal, plane.offset, high);
+    if (highest.value < -highest.margin)
+    {
+      return Side::Below;
+    }
+    return lowest.value > lowest.margin ? Side::Above : Side::Both;
+  }
+
+  void offer(const Task& task, const Candidate& plane, Division& best) const
+  {
+    std::size_t below = 0;
+    std::size_t above = 0;
+    for (const KdReference& r : task.references)
+    {
+      const Side side = this->sideOf(r, plane);
+      below += side != Side::Above ? 1 : 0;
+      above += side != Side::Below ? 1 : 0;
+    }
+    const std::size_t count = task.references.size();
+    if (below == count && above == count)
+    {
+      return;
+    }
+    const double step = plane.axis >= 0 ? axisStepCost : planeStepCost;
+    const double bonus = below == 0 || above == 0 ? emptyBonus : 1.0;
+    // The least that this plane can cost: the areas are at least half the cell's together.
+    if (bonus * (step + 0.5 * std::min(testCost(below), testCost(above))) >= best.cost)
+    {
+      return;
+    }
+    auto parts = cutPolyhedron(
+      task.polyhedron, plane.normal, framedOffset(this->frame_, plane.normal, plane.offset));
+    const double whole = areaOf(task.polyhedron);
+    if (!parts || !(whole > 0.0))
+    {
+      return;
+    }
+    const double cost = bonus *
+      (step + areaOf(parts->first) / whole * testCost(below) +
+        areaOf(parts->second) / whole * testCost(above));
+    if (cost < best.cost)
+    {
+      best = { plane, cost, std::move(parts) };
+    }
+  }
+
+  /// False where the sides would hold more than is allowed.
+  bool divide(const Task& task, Division& division, std::vector<Task>& tasks)
+  {
+    const Candidate& plane = division.plane;
+    Task below{ task.cell, std::move(division.parts->first), {}, 0, 0, task.depth + 1 };
+    Task above{ task.cell, std::move(division.parts->second), {}, 0, 0, task.depth + 1 };
+    if (plane.axis >= 0)
+    {
+      const auto axis = static_cast<std::size_t>(plane.axis);
+      below.cell.upper[axis] = std::min(below.cell.upper[axis], plane.offset);
+      above.cell.lower[axis] = std::max(above.cell.lower[axis], plane.offset);
+    }
+    // A slanted cell that is cut becomes smaller along the other axes, too.
+    below.cell = commonBox(below.cell, boxAround(this->frame_, below.polyhedron));
+    above.cell = commonBox(above.cell, boxAround(this->frame_, above.polyhedron));
+    for (const KdReference& r : task.references)
+    {
+      const Side side = this->sideOf(r, plane);
+      if (side == Side::Both)
+      {
+        this->addPart(r, plane, 1.0, below);
+        this->addPart(r, plane, -1.0, above);
+        continue;
+      }
+      // The cell may have become smaller than what its triangle knows of it.
+      Task& part = side == Side::Below ? below : above;
+      const Box bounds = commonBox(r.bounds, part.cell);
+      if (!bounds.empty())
+      {
+        part.references.push_back({ bounds, r.id });
+      }
+    }
+    const std::size_t held = below.references.size() + above.references.size();
+    if (held > task.allowance)
+    {
+      return false;
+    }
+    const std::size_t spare = task.allowance - held;
+    const auto spareBelow = held > 0
+      ? static_cast<std::size_t>(static_cast<double>(spare) *
+          static_cast<double>(below.references.size()) / static_cast<double>(held))
+      : 0;
+    below.allowance = below.references.size() + std::min(spareBelow, spare);
+    above.allowance = task.allowance - below.allowance;
+
+    const auto first = static_cast<std::uint32_t>(this->tree_.nodes.size());
+    BspNode& node = this->tree_.nodes[task.node];
+    node.leaf = false;
+    node.normal = plane.normal;
+    node.offset = plane.offset;
+    node.axis = plane.axis;
+    node.first = first;
+    this->tree_.nodes.resize(first + 2);
+    below.node = first;
+    above.node = first + 1;
+    tasks.push_back(std::move(above));
+    tasks.push_back(std::move(below));
+    return true;
+  }
+
+  /// Adds what a triangle has where sign * (normal · x - offset) <= 0, if anything.
+  void addPart(const KdReference& whole, const Candidate& plane, double sign, Task& side) const
+  {
+    const auto corners = this->surface_.vertices(whole.id);
+    const bool quadric = this->surface_.isQuadric(whole.id);
+    Box bounds = side.cell;
+    if (!quadric)
+    {
+      bounds =
+        plane.axis >= 0 ? clippedBounds(corners, side.cell) : partBeside(corners, plane, sign);
+    }
+    bounds = commonBox(commonBox(bounds, whole.bounds), side.cell);
+    if (!bounds.empty() && !(quadric && !mayMeet(this->surface_.quadric(whole.id), bounds)))
+    {
+      side.references.push_back({ bounds, whole.id });
+    }
+  }
+
+  /// Corners certainly beyond the plane are cut off. The new ones are off by less than 2^-46 of the
+  /// triangle's coordinates for each unit of how steeply the plane is met, and stay on their edges.
+  static Box partBeside(const std::array<Vec3, 3>& corners, const Candidate& plane, double sign)
+  {
+    Box bounds;
+    Vec3 room = { 0.0, 0.0, 0.0 };
+    std::array<double, 3> distance;
+    for (int i = 0; i < 3; ++i)
+    {
+      const PlaneDistance d(plane.normal, plane.offset, corners[i]);
+      // A corner is taken for this much nearer than it is computed, so that nothing of this side is
+      // cut off.
+      distance[i] = sign * d.value - 2.0 * d.margin;
+      for (int k = 0; k < 3; ++k)
+      {
+        room[k] = std::max(room[k], std::fabs(corners[i][k]) * 0x1p-44 + 0x1p-1040);
+      }
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      if (distance[i] <= 0.0)
+      {
+        bounds.extend(corners[i]);
+      }
+      if ((distance[i] <= 0.0) != (distance[j] <= 0.0))
+      {
+        const double s = std::clamp(distance[i] / (distance[i] - distance[j]), 0.0, 1.0);
+        const Vec3 p = corners[i] + s * (corners[j] - corners[i]);
+        bounds.extend(p - room);
+        bounds.extend(p + room);
+      }
+    }
+    return bounds;
+  }
+
+  void makeLeaf(const Task& task)
+  {
+    std::vector<PrimitiveId> ids;
+    for (const KdReference& r : task.references)
+    {
+      ids.push_back(r.id);
+    }
+    BspNode& leaf = this->tree_.nodes[task.node];
+    leaf.count = static_cast<std::uint32_t>(ids.size());
+    std::visit([&](auto& store)
+      { leaf.first = store.append(this->surface_, ids.data(), ids.size()); },
+      this->blocks_);
+  }
+
+  const Surface& surface_;
+  LeafBlocks& blocks_;
+  BuildProgress& progress_;
+  WideBvhFrame frame_;
+  KdSplitter axisSplitter_;
+  BspNodes tree_;
+};
+
+} // namespace
+
+BspNodes buildBspNodes(
+  const Surface& surface, const BuildOptions& options, LeafBlocks& blocks, BuildProgress& progress)
+{
+  return Builder(surface, blocks, progress).build(options.maxDepth);
+}
+
+} // namespace lumitree

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Accel/Structures/BspTree.h"
+
+#include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/BspBuilder.h"
+#include "Accel/Structures/BspView.h"
+#include "Accel/Structures/BspWalk.h"
+
+namespace lumitree
+{
+namespace
+{
+
+class BspTree
+{
+public:
+  BspTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress)
+    : tree_(buildBspNodes(surface, options, blocks, progress))
+  {
+  }
+
+  [[nodiscard]] const void* walked() const { return &this->tree_; }
+
+  static StructureWalks walks()
+  {
+    StructureWalks walks;
+    walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor)
+    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box, visitor); };
+    walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
+    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box, visitor); };
+    return walks;
+  }
+
+  [[nodiscard]] HierarchyView view(const LeafBlocks& blocks) const
+  {
+    return viewBspTree(this->tree_, blocks);
+  }
+
+  [[nodiscard]] std::size_t memory() const
+  {
+    return this->tree_.nodes.capacity() * sizeof(BspNode);
+  }
+
+private:
+  BspNodes tree_;
+};
+
+} // namespace
+
+std::shared_ptr<const Accelerator> buildBspTree(
+  std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
+{
+  return std::make_shared<TreeAccelerator<BspTree>>(std::move(surface), options, control);
+}
+
+} // namespace lumitree
