@@ -75,7 +75,13 @@ struct ArrayView
 
   [[nodiscard]] Vec3 triple(std::size_t i) const
   {
-    return { this->scalar(3 * i), this->scalar(3 * i + 1), this->scalar(3 * i + 2) };
+    if (this->type == Scalar::Float)
+    {
+      const float* const p = static_cast<const float*>(this->data) + 3 * i;
+      return { p[0], p[1], p[2] };
+    }
+    const double* const p = static_cast<const double*>(this->data) + 3 * i;
+    return { p[0], p[1], p[2] };
   }
 };
 

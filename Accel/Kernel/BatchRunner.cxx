@@ -27,13 +27,15 @@ public:
     : runner_(runner)
     , rays_(rays)
     , options_(options)
-    , state_(runner.surface_)
+    , states_(mostTravellers, RayState(runner.surface_))
   {
     // Fast takes floating point at its word; the others settle whatever it is not certain about.
     const bool certain = options.precision != Precision::Fast;
     const ArrayView::Scalar scalar = runner.surface_.scalar();
-    this->state_.settle =
-      settleFunction(options.precision, query, runner.surface_.quadricCount() > 0);
+    for (RayState& state : this->states_)
+    {
+      state.settle = settleFunction(options.precision, query, runner.surface_.quadricCount() > 0);
+    }
     this->leafKernel_ = leafKernel(scalar, certain);
     if (runner.walks_.kernel)
     {
@@ -52,41 +54,42 @@ public:
     }
   }
 
-  /// Traces ray i; false when it is not valid.
-  bool trace(std::size_t i)
+  /// Traces rays [begin, end) and calls answer(i, state) for each that is valid, in this order if
+  /// it matters.
+  template <class Answer>
+  void trace(std::size_t begin, std::size_t end, bool inOrder, Answer answer)
   {
-    const Ray ray = this->rays_[i];
-    this->state_.start(ray);
-    RayCounters counters;
-    const bool valid = isValid(ray);
-    if (valid)
+    Queue<Answer> queue{ *this, begin, end, answer };
+    const bool counting =
+      this->options_.perRay || this->options_.perNode || this->options_.perPrimitive;
+    if (this->rayKernel_ && !counting)
     {
-      this->setSkips(i);
-      if (this->options_.perRay || this->options_.perNode || this->options_.perPrimitive)
+      this->rayKernel_(this->runner_.structure_, this->runner_.blocks_, this->states_.data(),
+        inOrder ? 1 : mostTravellers, queue.feed());
+      return;
+    }
+    RayState& state = this->states_.front();
+    while (queue.next(state))
+    {
+      if (counting)
       {
+        RayCounters counters;
         CountingVisitor visitor(
-          this->state_, this->leafKernel_, this->runner_.blocks_, counters, this->counts_);
-        this->runner_.walks_.counting(this->runner_.structure_, this->state_, visitor);
-      }
-      else if (this->rayKernel_)
-      {
-        this->rayKernel_(this->runner_.structure_, this->runner_.blocks_, this->state_);
+          state, this->leafKernel_, this->runner_.blocks_, counters, this->counts_);
+        this->runner_.walks_.counting(this->runner_.structure_, state, visitor);
+        if (this->options_.perRay)
+        {
+          this->options_.perRay[state.index] = counters;
+        }
       }
       else
       {
-        LeafVisitor visitor(this->state_, this->leafKernel_, this->runner_.blocks_);
-        this->runner_.walks_.plain(this->runner_.structure_, this->state_, visitor);
+        LeafVisitor visitor(state, this->leafKernel_, this->runner_.blocks_);
+        this->runner_.walks_.plain(this->runner_.structure_, state, visitor);
       }
+      answer(state.index, state);
     }
-    if (this->options_.perRay)
-    {
-      this->options_.perRay[i] = counters;
-    }
-    this->invalid_ += valid ? 0 : 1;
-    return valid;
   }
-
-  [[nodiscard]] RayState& state() { return this->state_; }
 
   /// Counts a hit that is part of the answer.
   void countHit(PrimitiveId primitive)
@@ -100,8 +103,11 @@ public:
   void addTo(QueryReport& report) const
   {
     report.invalidRays += this->invalid_;
-    report.exactTests += this->state_.exactTests;
-    report.exactParameters += this->state_.exactParameters;
+    for (const RayState& state : this->states_)
+    {
+      report.exactTests += state.exactTests;
+      report.exactParameters += state.exactParameters;
+    }
     for (std::size_t n = 0; n < this->visits_.size(); ++n)
     {
       this->options_.perNode[n] += this->visits_[n];
@@ -114,21 +120,66 @@ public:
   }
 
 private:
-  void setSkips(std::size_t i)
+  /// The chunk's rays that are still to be traced.
+  template <class Answer>
+  struct Queue
   {
+    /// Starts the next valid ray; false when there are no more.
+    bool next(RayState& state)
+    {
+      while (this->first < this->end)
+      {
+        if (this->chunk.start(this->first++, state))
+        {
+          return true;
+        }
+      }
+      return false;
+    }
+
+    [[nodiscard]] RayFeed feed()
+    {
+      return { this,
+        [](void* owner, RayState& state) { return static_cast<Queue*>(owner)->next(state); },
+        [](void* owner, RayState& state)
+        { static_cast<Queue*>(owner)->answer(state.index, state); } };
+    }
+
+    Chunk& chunk;
+    std::size_t first;
+    std::size_t end;
+    Answer& answer;
+  };
+
+  /// False when the ray is not valid.
+  bool start(std::size_t i, RayState& state)
+  {
+    const Ray ray = this->rays_[i];
+    if (!isValid(ray))
+    {
+      ++this->invalid_;
+      if (this->options_.perRay)
+      {
+        this->options_.perRay[i] = RayCounters{};
+      }
+      return false;
+    }
+    state.start(ray);
+    state.index = i;
     const SkipSets& skip = this->rays_.skip;
     if (skip.offsets)
     {
       const std::size_t set = skip.setOfRay ? skip.setOfRay[i] : i;
-      this->state_.skipFirst = skip.primitives + skip.offsets[set];
-      this->state_.skipLast = skip.primitives + skip.offsets[set + 1];
+      state.skipFirst = skip.primitives + skip.offsets[set];
+      state.skipLast = skip.primitives + skip.offsets[set + 1];
     }
+    return true;
   }
 
   const BatchRunner& runner_;
   const RayBatch& rays_;
   const QueryOptions& options_;
-  RayState state_;
+  std::vector<RayState> states_;
   LeafKernel leafKernel_ = nullptr;
   RayKernel rayKernel_ = nullptr;
   std::uint64_t invalid_ = 0;
@@ -180,14 +231,15 @@ QueryReport BatchRunner::closest(const RayBatch& rays, Hit* hits, const QueryOpt
   return this->run(rays, QueryKind::Closest, options,
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        if (work.trace(i) && work.state().best.primitive != noPrimitive)
+      work.trace(begin, end, false,
+        [&](std::size_t i, RayState& state)
         {
-          hits[i] = finish(work.state(), work.state().best, options);
-          work.countHit(hits[i].primitive);
-        }
-      }
+          if (state.best.primitive != noPrimitive)
+          {
+            hits[i] = finish(state, state.best, options);
+            work.countHit(hits[i].primitive);
+          }
+        });
     });
 }
 
@@ -198,14 +250,15 @@ QueryReport BatchRunner::any(
   return this->run(rays, QueryKind::Any, options,
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        hit[i] = work.trace(i) && work.state().best.primitive != noPrimitive ? 1 : 0;
-        if (hit[i] != 0)
+      work.trace(begin, end, false,
+        [&](std::size_t i, const RayState& state)
         {
-          work.countHit(work.state().best.primitive);
-        }
-      }
+          if (state.best.primitive != noPrimitive)
+          {
+            hit[i] = 1;
+            work.countHit(state.best.primitive);
+          }
+        });
     });
 }
 
@@ -239,18 +292,16 @@ QueryReport BatchRunner::numbers(
   return this->run(rays, query, options,
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        if (work.trace(i))
+      work.trace(begin, end, false,
+        [&](std::size_t i, RayState& state)
         {
-          dropDuplicates(work.state());
-          counts[i] = static_cast<std::uint32_t>(work.state().found.size());
-          for (const Candidate& c : work.state().found)
+          dropDuplicates(state);
+          counts[i] = static_cast<std::uint32_t>(state.found.size());
+          for (const Candidate& c : state.found)
           {
             work.countHit(c.primitive);
           }
-        }
-      }
+        });
     });
 }
 
@@ -280,20 +331,18 @@ QueryReport BatchRunner::lists(
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       Part part{ begin, {} };
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        if (work.trace(i))
+      work.trace(begin, end, true,
+        [&](std::size_t i, RayState& state)
         {
-          arrange(work.state(), query, options.precision);
-          out.offsets[i + 1] = work.state().found.size();
+          arrange(state, query, options.precision);
+          out.offsets[i + 1] = state.found.size();
           const std::size_t before = part.hits.size();
-          finish(work.state(), query, options, part.hits);
+          finish(state, query, options, part.hits);
           for (std::size_t h = before; h < part.hits.size(); ++h)
           {
             work.countHit(part.hits[h].primitive);
           }
-        }
-      }
+        });
       const std::lock_guard<std::mutex> lock(mutex);
       parts.push_back(std::move(part));
     });

@@ -27,9 +27,9 @@ StructureWalks baselineWalks()
 {
   StructureWalks walks;
   walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor)
-  { static_cast<const Tree*>(tree)->walk(state.box, visitor); };
+  { static_cast<const Tree*>(tree)->walk(state.box(), visitor); };
   walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
-  { static_cast<const Tree*>(tree)->walk(state.box, visitor); };
+  { static_cast<const Tree*>(tree)->walk(state.box(), visitor); };
   return walks;
 }
 

@@ -25,11 +25,36 @@ HWY_INLINE Double4 edgeFunctions(const Double4 d[3], const Double4 e[3], const D
     d[2] * (e[0] * p[1] - e[1] * p[0]);
 }
 
+/// The edge functions of a block and the bounds of their errors.
+struct BlockEdges
+{
+  Double4 f[3];
+  Double4 error;
+
+  /// As the scalar edgeValues gives them, but for the bound.
+  void store(int lane, EdgeValues& e) const
+  {
+    e.u = this->at(this->f[0], lane);
+    e.v = this->at(this->f[1], lane);
+    e.w = this->at(this->f[2], lane);
+    e.error = this->at(this->error, lane);
+  }
+
+private:
+  static double at(const Double4& values, int lane)
+  {
+    HWY_ALIGN double stored[blockWidth];
+    values.store(stored);
+    return stored[lane];
+  }
+};
+
 /// The lanes of a block that the precision may count as hit, as bits. Certain: lanes whose edge
 /// functions certainly have both signs are out. Otherwise (Fast) lanes whose edge functions have
 /// both signs are out.
 template <bool Certain, class T>
-HWY_INLINE unsigned candidateLanes(const FilterRay& ray, const TriangleBlock<T>& block)
+HWY_INLINE unsigned candidateLanes(
+  const FilterRay& ray, const TriangleBlock<T>& block, BlockEdges& edges)
 {
   Double4 d[3];
   Double4 vertex[3][3];
@@ -49,7 +74,7 @@ HWY_INLINE unsigned candidateLanes(const FilterRay& ray, const TriangleBlock<T>&
       }
     }
   }
-  Double4 f[3];
+  auto& f = edges.f;
   for (int i = 0; i < 3; ++i)
   {
     const int from = (i + 1) % 3;
@@ -58,7 +83,8 @@ HWY_INLINE unsigned candidateLanes(const FilterRay& ray, const TriangleBlock<T>&
       vertex[to][2] - vertex[from][2] };
     f[i] = edgeFunctions(d, edge, p[from]);
   }
-  Double4 error = Double4::all(0.0);
+  auto& error = edges.error;
+  error = Double4::all(0.0);
   if constexpr (Certain)
   {
     error = Double4::all(2.0 * block.edge) * m * Double4::all(ray.oneNorm) *

@@ -18,7 +18,7 @@ struct Crossing
   double tHigh = 0.0;
   double u = 0.0;   ///< weight of vertex 1
   double v = 0.0;   ///< weight of vertex 2
-  EdgeValues edges; ///< with this triangle's own bound, tighter than its block's
+  EdgeValues edges; ///< and a bound of their error: the triangle's own, or its block's
 };
 
 /// The largest of the components' magnitudes.
@@ -48,16 +48,17 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
 }
 
 /// t and (u, v) of a ray known, or taken, to hit the triangle: a pure function of the two, so that
-/// every path through every structure gives the same bits.
+/// every path through every structure gives the same bits; only the interval of t also depends on
+/// how tight the bound in e is. e: the triangle's edge functions.
 ///
 /// t is the mean of the vertices' t along the direction's dominant axis, weighted by the edge
 /// functions. It therefore always lies within the triangle's own range of t, however grazing the
 /// ray is. With weights w_i, each wrong by e at most, and S their sum, the mean is wrong by at most
 /// 3 e R / (S - 3 e), R the range of the vertices' values; what differences, shares and sums round
 /// is below 10 u max|a|, u = 2^-53, and the pad for it 16 u max|a|.
-inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+inline Crossing crossing(
+  const FilterRay& ray, const std::array<Vec3, 3>& vertices, const EdgeValues& e)
 {
-  const EdgeValues e = edgeValues(ray, vertices);
   const int k = ray.axis;
   const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
     vertices[2][k] - ray.origin[k] };
@@ -96,10 +97,11 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
     x.v = 1.0 / 3.0;
   }
   const double pad = spread + rounding;
+  const double perAxis = 1.0 / ray.direction[k];
   const auto parameter = [&](double along)
   {
     // A subnormal direction has no reciprocal.
-    return std::isfinite(ray.perAxis) ? along * ray.perAxis : along / ray.direction[k];
+    return std::isfinite(perAxis) ? along * perAxis : along / ray.direction[k];
   };
   const double first = parameter(std::max(mean - pad, low - rounding));
   const double second = parameter(std::min(mean + pad, high + rounding));
@@ -110,6 +112,12 @@ inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertic
   x.tLow -= std::fabs(x.tLow) * 0x1p-51 + 0x1p-1020;
   x.tHigh += std::fabs(x.tHigh) * 0x1p-51 + 0x1p-1020;
   return x;
+}
+
+/// The same with the triangle's own bound.
+inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+{
+  return crossing(ray, vertices, edgeValues(ray, vertices));
 }
 
 } // namespace lumitree

@@ -23,7 +23,6 @@ struct FilterRay
   {
     this->axis =
       std::fabs(ray.direction[this->axis]) >= std::fabs(ray.direction[2]) ? this->axis : 2;
-    this->perAxis = 1.0 / ray.direction[this->axis];
   }
 
   /// With A, B, C the vertices less the origin, the edge function of the edge PQ is
@@ -40,8 +39,7 @@ struct FilterRay
   Vec3 direction;
   double oneNorm;
   double boundFloor;
-  int axis;       ///< of the direction's largest component
-  double perAxis; ///< 1 / that component
+  int axis; ///< of the direction's largest component
 };
 
 /// The edge functions of one triangle, the weights of its vertices, and the bound of their error:

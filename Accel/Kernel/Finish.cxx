@@ -24,6 +24,24 @@ void arrangeFor(RayState& state, QueryKind query)
   }
 }
 
+/// Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to
+/// t.
+bool isVague(double tLow, double tHigh, double t)
+{
+  return tHigh - tLow > 0x1p-26 * std::fabs(t);
+}
+
+/// By the triangle's own bound: a block's depends on which triangles share it.
+bool isVague(const RayState& state, const Candidate& c)
+{
+  if (state.surface.isQuadric(c.primitive))
+  {
+    return true;
+  }
+  const Crossing x = crossing(state.filter, state.surface.vertices(c.primitive));
+  return isVague(x.tLow, x.tHigh, x.t);
+}
+
 } // namespace
 
 void arrange(RayState& state, QueryKind query, Precision precision)
@@ -61,10 +79,8 @@ Hit finish(RayState& state, const Candidate& c, const QueryOptions& options)
   hit.t = c.key;
   hit.u = c.u;
   hit.v = c.v;
-  // Half a float ulp is 2^-25 of t at least: a wider interval does not decide the float nearest to
-  // t.
   if (options.precision == Precision::Exact &&
-    (options.roundedT || c.tHigh - c.tLow > 0x1p-26 * std::fabs(c.t)))
+    (options.roundedT || (isVague(c.tLow, c.tHigh, c.t) && isVague(state, c))))
   {
     ++state.exactParameters;
     hit.t = state.surface.isQuadric(c.primitive)

@@ -28,12 +28,17 @@ HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const
   for (std::uint32_t b = 0; b < blockCount; ++b)
   {
     const TriangleBlock<T>& block = blocks[span.firstBlock + b];
-    unsigned candidates = candidateLanes<Certain>(state.filter, block);
+    BlockEdges edges;
+    unsigned candidates = candidateLanes<Certain>(state.filter, block, edges);
     for (; candidates != 0; candidates &= candidates - 1)
     {
       const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
       if (block.id[lane] != noPrimitive)
       {
+        if constexpr (Certain)
+        {
+          edges.store(lane, state.edges);
+        }
         state.settle(state, block.corners(lane), block.id[lane]);
       }
     }

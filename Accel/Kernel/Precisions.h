@@ -22,7 +22,7 @@ namespace lumitree
 /// other boxes the structure put around the primitive.
 struct OrderByKey
 {
-  static bool place(const RayState& state, const Corners& vertices, const Crossing& x, Candidate& c)
+  static bool place(RayState& state, const Corners& vertices, const Crossing& x, Candidate& c)
   {
     c.take(x);
     Box box;
@@ -31,7 +31,7 @@ struct OrderByKey
       box.extend(vertex);
     }
     double tEnter = 0.0;
-    const bool met = state.box.meets(box, state.ray.tMax, tEnter);
+    const bool met = state.box().meets(box, state.ray.tMax, tEnter);
     c.key = std::max(x.t, tEnter);
     return met;
   }
@@ -87,7 +87,7 @@ struct ExactPrecision
 
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.filter, vertices);
+    const Crossing x = crossing(state.filter, vertices, state.edges);
     if (!surelyHit(x.edges))
     {
       if (surelyMissed(x.edges))

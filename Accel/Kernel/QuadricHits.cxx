@@ -155,7 +155,7 @@ QuadricHits quadricHits(RayState& state, PrimitiveId primitive, Precision precis
 {
   double tEnter = 0.0;
   const Box& box = state.surface.quadric(primitive).clip;
-  if (!state.box.meets(box, std::min(state.tStop, state.ray.tMax), tEnter))
+  if (!state.box().meets(box, std::min(state.tStop, state.ray.tMax), tEnter))
   {
     return {};
   }

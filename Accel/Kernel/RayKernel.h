@@ -8,8 +8,25 @@
 namespace lumitree
 {
 
-/// Takes one ray, started in state, through a whole structure.
-using RayKernel = void (*)(const void* structure, const void* blocks, RayState& state);
+/// Where a kernel gets its rays and puts their answers.
+struct RayFeed
+{
+  void* owner = nullptr;
+  /// Starts another ray in a state that is free; false when there are no more.
+  bool (*next)(void* owner, RayState& state) = nullptr;
+  /// The ray in the state has been through the structure.
+  void (*done)(void* owner, RayState& state) = nullptr;
+};
+
+/// How many rays a kernel interleaves at most: enough for one's memory and arithmetic to wait on
+/// those of the others, few enough for their stacks to stay in the innermost cache.
+inline constexpr int mostTravellers = 8;
+
+/// Takes rays through a whole structure, as many at a time as there are states (mostTravellers at
+/// most): while one waits for memory and for its own arithmetic, the others go on. What a ray finds
+/// does not depend on that; with one state the rays are done in the order in which they came.
+using RayKernel = void (*)(
+  const void* structure, const void* blocks, RayState* states, int count, const RayFeed& feed);
 
 /// Chooses the kernel for a scalar type; certain is as in leafKernel.
 using RayKernelChooser = RayKernel (*)(ArrayView::Scalar, bool certain);

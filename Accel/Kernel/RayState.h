@@ -49,7 +49,7 @@ struct RayState
   explicit RayState(const Surface& s)
     : surface(s)
     , filter(Ray{})
-    , box(Ray{})
+    , box_(Ray{})
   {
   }
 
@@ -57,10 +57,21 @@ struct RayState
   {
     this->ray = r;
     this->filter = FilterRay(r);
-    this->box = RayBox(r);
+    this->hasBox_ = false;
     this->tStop = r.tMax;
     this->best = Candidate{};
     this->found.clear();
+  }
+
+  /// Made when it is first asked for: not every walk and precision needs it.
+  [[nodiscard]] const RayBox& box()
+  {
+    if (!this->hasBox_)
+    {
+      this->box_ = RayBox(this->ray);
+      this->hasBox_ = true;
+    }
+    return this->box_;
   }
 
   [[nodiscard]] bool skips(PrimitiveId id) const
@@ -69,10 +80,11 @@ struct RayState
   }
 
   const Surface& surface;
+  std::size_t index = 0; ///< of the ray in its batch
   SettleFunction settle = nullptr;
   Ray ray;
   FilterRay filter;
-  RayBox box;
+  EdgeValues edges; ///< of the candidate to be settled, with its block's bound; not for Fast
   const PrimitiveId* skipFirst = nullptr;
   const PrimitiveId* skipLast = nullptr;
 
@@ -84,6 +96,10 @@ struct RayState
   std::uint64_t exactTests = 0;
   std::uint64_t exactParameters = 0;
   ///@}
+
+private:
+  RayBox box_;
+  bool hasBox_ = false;
 };
 
 } // namespace lumitree

@@ -89,6 +89,12 @@ HWY_INLINE Pack<T, N> operator*(const Pack<T, N>& a, const Pack<T, N>& b)
   return each(a, b, [](auto x, auto y) HWY_ATTR { return hn::Mul(x, y); });
 }
 
+template <class T, int N>
+HWY_INLINE Pack<T, N> operator/(const Pack<T, N>& a, const Pack<T, N>& b)
+{
+  return each(a, b, [](auto x, auto y) HWY_ATTR { return hn::Div(x, y); });
+}
+
 /// value > accumulator ? value : accumulator, so that a NaN value is ignored.
 template <class T, int N>
 HWY_INLINE Pack<T, N> raise(const Pack<T, N>& value, const Pack<T, N>& accumulator)
@@ -183,8 +189,49 @@ HWY_INLINE Lanes<Pack<T, N>> operator<(const Pack<T, N>& a, const Pack<T, N>& b)
   return r;
 }
 
+/// Lane by lane: value where the condition holds, else the other one.
+template <class T, int N>
+HWY_INLINE Pack<T, N> choose(const Lanes<Pack<T, N>>& condition, const Pack<T, N>& value, T other)
+{
+  Pack<T, N> r;
+  for (int i = 0; i < Pack<T, N>::parts; ++i)
+  {
+    const typename Pack<T, N>::Tag d;
+    r.part[i] = hn::IfThenElse(condition.part[i], value.part[i], hn::Set(d, other));
+  }
+  return r;
+}
+
+using Float4 = Pack<float, 4>;
 using Float8 = Pack<float, 8>;
 using Double4 = Pack<double, 4>;
+
+/// Lane by lane: negative where the sign bit of a is set (also that of -0), else other.
+HWY_INLINE Float4 chooseBySign(const Float4& a, const Float4& negative, const Float4& other)
+{
+  return { { hn::IfNegativeThenElse(a.part[0], negative.part[0], other.part[0]) } };
+}
+
+/// Bit i is the sign bit of lane i.
+HWY_INLINE unsigned signs(const Float4& a)
+{
+  const hn::RebindToSigned<Float4::Tag> d;
+  std::uint8_t stored[8] = {};
+  hn::StoreMaskBits(d, hn::Lt(hn::BitCast(d, a.part[0]), hn::Zero(d)), stored);
+  return stored[0];
+}
+
+/// Rounded to nearest.
+HWY_INLINE Float4 toFloat(const Double4& a)
+{
+  HWY_ALIGN float values[4];
+  const hn::Rebind<float, Double4::Tag> half;
+  for (int i = 0; i < Double4::parts; ++i)
+  {
+    hn::StoreU(hn::DemoteTo(half, a.part[i]), half, values + i * Double4::lanes);
+  }
+  return Float4::load(values);
+}
 
 HWY_INLINE Double4 loadDoubles(const double* values)
 {

@@ -3,8 +3,11 @@
 #include "Accel/Structures/WideBvhFill.h"
 
 #include "Accel/Structures/WideBvhCollapse.h"
+#include "Accel/Structures/WideBvhOrder.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace lumitree
 {
@@ -88,8 +91,21 @@ WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize,
     nodeCount += kept[i].leaf ? 0 : 1;
   }
 
+  if (blockCount > WideChild::maxBlock)
+  {
+    throw std::length_error("a wide BVH has room for 2^27 blocks of primitives; these need " +
+      std::to_string(blockCount));
+  }
+
   WideBvhNodes tree;
   tree.frame = binary.frame;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    if (kept[i].leaf && places[i].range.count > WideChild::maxCount)
+    {
+      tree.largeLeaves.emplace_back(places[i].number, places[i].range.count);
+    }
+  }
   tree.nodes.resize(nodeCount);
   tree.firstId.resize(nodeCount);
   std::visit([&](auto& store) { store.resize(blockCount); }, blocks);
@@ -122,9 +138,12 @@ WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize,
             wide.planes[k][lane] = box.lower[k];
             wide.planes[k + 3][lane] = box.upper[k];
           }
-          wide.child[lane] = places[child].number;
-          wide.count[lane] = places[child].range.count;
+          wide.child[lane] =
+            (kept[child].leaf ? WideChild::leaf(places[child].number, places[child].range.count)
+                              : WideChild::node(places[child].number))
+              .bits();
         }
+        orderLanes(binary, kept, node, wide);
         tree.nodes[place.number] = wide;
         tree.firstId[place.number] = node.firstChild;
       }

@@ -52,18 +52,19 @@ HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks)
       child.box = boxOf(tree.frame, node, lane);
       child.parent = static_cast<std::int64_t>(idOf[n]);
       child.depth = view.nodes[idOf[n]].depth + 1;
-      child.leaf = node.count[lane] > 0;
+      const WideChild kind(node.child[lane]);
+      child.leaf = kind.isLeaf();
       if (child.leaf)
       {
         child.firstReference = static_cast<std::uint32_t>(view.references.size());
-        child.referenceCount = node.count[lane];
+        child.referenceCount = tree.countOf(kind);
         std::visit([&](const auto& store)
-          { appendReferences(store, node.child[lane], node.count[lane], view.references); },
+          { appendReferences(store, kind.firstBlock(), child.referenceCount, view.references); },
           blocks);
       }
       else
       {
-        idOf[node.child[lane]] = view.nodes.size();
+        idOf[kind.nodeIndex()] = view.nodes.size();
       }
       if (n == 0)
       {
@@ -90,16 +91,18 @@ BuildStatistics statisticsOf(const WideBvhNodes& tree, const Surface& surface)
     for (int lane = 0; lane < wideArity && isUsed(node, lane); ++lane)
     {
       const Box box = boxOf(tree.frame, node, lane);
-      const bool leaf = node.count[lane] > 0;
+      const WideChild child(node.child[lane]);
+      const bool leaf = child.isLeaf();
+      const std::uint32_t count = leaf ? tree.countOf(child) : 0;
       const int depth = depths[n] + 1;
       ++s.nodes;
       s.leaves += leaf ? 1 : 0;
       s.depth = std::max(s.depth, depth);
-      s.references += node.count[lane];
-      area += box.area() * (leaf ? node.count[lane] : 1);
+      s.references += count;
+      area += box.area() * (leaf ? count : 1);
       if (!leaf)
       {
-        depths[node.child[lane]] = depth;
+        depths[child.nodeIndex()] = depth;
       }
       if (n == 0)
       {

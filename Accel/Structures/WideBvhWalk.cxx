@@ -8,11 +8,42 @@
 
 #include "Accel/Kernel/LeafTest-inl.h"
 #include "Accel/Structures/WideBvhWalk.h"
-#include "Accel/Structures/WideRay.h"
+#include "Accel/Structures/WideRay-inl.h"
 
 #include <hwy/cache_control.h>
 
 #include <utility>
+
+#ifndef LUMITREE_WIDE_BVH_COMPRESSIONS
+#define LUMITREE_WIDE_BVH_COMPRESSIONS
+namespace lumitree
+{
+
+/// For each set of eight lanes the lanes that are in it, first to last. (Highway's own table for
+/// AVX2 is copied to the stack each time.)
+struct Compressions
+{
+  constexpr Compressions()
+  {
+    for (unsigned set = 0; set < 256; ++set)
+    {
+      int count = 0;
+      for (std::uint8_t lane = 0; lane < 8; ++lane)
+      {
+        if ((set >> lane & 1u) != 0)
+        {
+          this->lanes[set][count++] = lane;
+        }
+      }
+    }
+  }
+
+  std::uint8_t lanes[256][8] = {};
+};
+inline constexpr Compressions compressions;
+
+} // namespace lumitree
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace lumitree
@@ -20,190 +51,295 @@ namespace lumitree
 namespace HWY_NAMESPACE
 {
 
-/// A child that waits, and a lower bound of s inside it.
-struct Waiting
-{
-  std::uint32_t child;
-  std::uint32_t count;
-  float enter;
-  std::uint32_t id;
-};
+// Seven siblings may wait per level of at most 64; a whole node's worth is written each time.
+constexpr int stackSize = 7 * 64 + 2 * wideArity;
 
-// Seven siblings may wait per level of at most 64.
-constexpr int stackSize = 7 * 64 + wideArity;
-
-/// What the slab test needs of a ray, in registers.
-struct Planes
+/// Children that wait, and lower bounds of s inside them.
+struct Stack
 {
-  explicit Planes(const WideRay& ray)
+  std::uint32_t child[stackSize]; ///< WideChild::bits
+  float enter[stackSize];
+  int height;
+
+  void start(float sMin)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->originNear[k] = Float8::all(ray.originNear[k]);
-      this->originFar[k] = Float8::all(ray.originFar[k]);
-      // Where s >= 0 a factor makes it smaller or larger; elsewhere the pad is added later.
-      const float pad = ray.forward ? slabPad : 0.0f;
-      this->nearReciprocal[k] = Float8::all(ray.reciprocal[k] * (1.0f - pad));
-      this->farReciprocal[k] = Float8::all(ray.reciprocal[k] * (1.0f + pad));
-      this->nearRow[k] = ray.negative[k] ? k + 3 : k;
-      this->farRow[k] = ray.negative[k] ? k : k + 3;
-    }
+    this->child[0] = WideChild::node(0).bits();
+    this->enter[0] = sMin;
+    this->height = 1;
   }
-
-  /// Difference, reciprocal and product round to 2^-24 each, 3.1 · 2^-24 in all, and the padded
-  /// reciprocal once more.
-  static constexpr float slabPad = 0x1p-21f;
-
-  Float8 originNear[3];
-  Float8 originFar[3];
-  Float8 nearReciprocal[3];
-  Float8 farReciprocal[3];
-  int nearRow[3]; ///< of WideBvhNode::planes
-  int farRow[3];
 };
+
+/// The same, and the children's numbers in the hierarchy view.
+struct NumberedStack : Stack
+{
+  std::uint32_t number[stackSize];
+
+  void start(float sMin)
+  {
+    this->Stack::start(sMin);
+    this->number[0] = 0;
+  }
+};
+
+/// Where the planes of a node lie, for each octant of directions: the offsets of the near ones
+/// along x, y, z and of the far ones.
+struct Rows
+{
+  std::uint32_t nearPlane[3];
+  std::uint32_t farPlane[3];
+};
+constexpr Rows rowsOf(unsigned octant)
+{
+  Rows rows{};
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    const bool negative = (octant >> k & 1u) != 0;
+    rows.nearPlane[k] = wideArity * (negative ? k + 3 : k);
+    rows.farPlane[k] = wideArity * (negative ? k : k + 3);
+  }
+  return rows;
+}
+constexpr Rows octantRows[8] = { rowsOf(0), rowsOf(1), rowsOf(2), rowsOf(3), rowsOf(4), rowsOf(5),
+  rowsOf(6), rowsOf(7) };
 
 /// Raises enter to the near planes' s and lowers exit to the far planes', lane by lane; NaN changes
 /// nothing.
-HWY_INLINE void clip(const WideBvhNode& node, const Planes& planes, Float8& enter, Float8& exit)
+HWY_INLINE void clip(const WideBvhNode& node, const WideRay& ray, Float8& enter, Float8& exit)
 {
-  for (int k = 0; k < 3; ++k)
+  const Rows& rows = octantRows[ray.octant];
+  const float* const planes = node.planes[0];
+  const auto near = [&](int k) HWY_ATTR
   {
-    const Float8 nearPlane = Float8::load(node.planes[planes.nearRow[k]]);
-    const Float8 farPlane = Float8::load(node.planes[planes.farRow[k]]);
-    enter = raise((nearPlane - planes.originNear[k]) * planes.nearReciprocal[k], enter);
-    exit = lower((farPlane - planes.originFar[k]) * planes.farReciprocal[k], exit);
-  }
+    return (Float8::load(planes + rows.nearPlane[k]) - Float8::all(ray.originNear[k])) *
+      Float8::all(ray.nearReciprocal[k]);
+  };
+  const auto far = [&](int k) HWY_ATTR
+  {
+    return (Float8::load(planes + rows.farPlane[k]) - Float8::all(ray.originFar[k])) *
+      Float8::all(ray.farReciprocal[k]);
+  };
+  enter = raise(near(0), raise(near(1), raise(near(2), enter)));
+  exit = lower(far(0), lower(far(1), lower(far(2), exit)));
 }
 
-/// The lanes whose boxes the segment [sMin, stop] may meet, as bits, and lower bounds of s inside
-/// them. The slab test of RayBox in float; boxes and origin interval are rounded outward before.
-HWY_INLINE unsigned meets(
-  const WideBvhNode& node, const WideRay& ray, const Planes& planes, float stop, float* enters)
+/// Lower bounds of s inside the boxes that the segment [sMin, stop] may meet, in enter; a lane that
+/// it does not meet has enter > exit, or one of them is NaN. The slab test of RayBox in float;
+/// boxes and origin interval are rounded outward before.
+HWY_INLINE void meet(
+  const WideBvhNode& node, const WideRay& ray, float stop, Float8& enter, Float8& exit)
 {
   if (ray.forward)
   {
     // A negative s, however it is padded, stays below sMin. Underflow loses less than the boxes'
     // own absolute pad.
-    Float8 enter = Float8::all(ray.sMin);
-    Float8 exit = Float8::all(stop);
-    clip(node, planes, enter, exit);
-    enter.store(enters);
-    return (enter <= exit).bits();
+    enter = Float8::all(ray.sMin);
+    exit = Float8::all(stop);
+    clip(node, ray, enter, exit);
+    return;
   }
-  Float8 enter = Float8::all(-std::numeric_limits<float>::infinity());
-  Float8 exit = Float8::all(std::numeric_limits<float>::infinity());
-  clip(node, planes, enter, exit);
-  const Float8 relative = Float8::all(Planes::slabPad);
+  enter = Float8::all(-std::numeric_limits<float>::infinity());
+  exit = Float8::all(std::numeric_limits<float>::infinity());
+  clip(node, ray, enter, exit);
+  const Float8 relative = Float8::all(WideRay::slabPad);
   const Float8 absolutePad = Float8::all(0x1p-120f);
   enter = enter - (absolute(enter) * relative + absolutePad);
   exit = exit + (absolute(exit) * relative + absolutePad);
-  const Float8 from = raise(enter, Float8::all(ray.sMin));
-  from.store(enters);
-  // An enter of NaN is an infinite one on its way out of the box: no comparison with it holds.
-  return ((enter <= exit) & (from <= exit) & (from <= Float8::all(stop))).bits();
+  // An enter of NaN is an infinite one on its way out of the box: the box is not met.
+  const auto met = enter <= exit;
+  enter = raise(enter, Float8::all(ray.sMin));
+  exit = choose(met, lower(exit, Float8::all(stop)), std::numeric_limits<float>::quiet_NaN());
 }
 
-/// Sorts the children met behind the nearest of them, which is returned: the farther ones wait on
-/// the stack, nearer on top, equal ones in the order of their lanes. Memory that the walk will need
-/// soon is fetched ahead.
-template <class Fetch>
-HWY_INLINE Waiting nearest(const WideBvhNode& node, unsigned lanes, const float* enters,
-  std::uint32_t firstId, Waiting* stack, int& height, Fetch fetch)
+/// Puts the children met on the stack, the nearest on top: in the order of the ray's octant, which
+/// costs no comparison and no branch.
+///@{
+template <class Record>
+HWY_INLINE void pushLaneByLane(const WideBvhNode& node, std::uint32_t order, const Float8& enter,
+  const Float8& exit, Stack& stack, Record record)
 {
-  const auto take = [&]
+  HWY_ALIGN float enters[wideArity];
+  enter.store(enters);
+  const unsigned met = (enter <= exit).bits();
+  for (int i = 0; i < wideArity; ++i, order >>= 4)
   {
-    const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
-    lanes &= lanes - 1;
-    const Waiting w = { node.child[lane], node.count[lane], enters[lane],
-      firstId + static_cast<std::uint32_t>(lane) };
-    fetch(w);
-    return w;
-  };
-  Waiting best = take();
-  if (lanes == 0)
-  {
-    return best;
+    const unsigned lane = order & 7u;
+    stack.child[stack.height] = node.child[lane];
+    stack.enter[stack.height] = enters[lane];
+    record(stack.height, lane);
+    stack.height += static_cast<int>(met >> lane & 1u);
   }
-  const int first = height;
-  do
-  {
-    Waiting w = take();
-    if (w.enter < best.enter)
-    {
-      std::swap(w, best);
-    }
-    int at = height++;
-    for (; at > first && stack[at - 1].enter <= w.enter; --at)
-    {
-      stack[at] = stack[at - 1];
-    }
-    stack[at] = w;
-  } while (lanes != 0);
-  return best;
 }
 
-/// The walk: node(id) and leaf(span) are called as the contract of Span.h says; block(i) is the
-/// address of block i.
-template <class Node, class Leaf, class Block>
-HWY_INLINE void walk(
-  const WideBvhNodes& tree, RayState& state, Node enterNode, Leaf testLeafAt, Block blockAt)
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+/// The lanes that are set come first, in their order; what follows means nothing.
+template <class V, class M>
+HWY_INLINE V compress(V v, M mask, unsigned bits)
 {
-  if (tree.nodes.empty())
+#if HWY_TARGET == HWY_AVX3
+  (void)bits;
+  return hn::Compress(v, mask);
+#else
+  (void)mask;
+  const hn::CappedTag<std::uint32_t, wideArity> du;
+  const hn::Rebind<std::uint8_t, decltype(du)> bytes;
+  const auto lanes = hn::PromoteTo(du, hn::LoadU(bytes, compressions.lanes[bits]));
+  return hn::TableLookupLanes(v, hn::IndicesFromVec(du, lanes));
+#endif
+}
+#endif
+
+HWY_INLINE void push(const WideBvhNode& node, std::uint32_t, std::uint32_t order,
+  const Float8& enter, const Float8& exit, Stack& stack)
+{
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+  const hn::CappedTag<std::uint32_t, wideArity> du;
+  const hn::CappedTag<float, wideArity> df;
+  const auto shifts = hn::ShiftLeft<2>(hn::Iota(du, 0));
+  const auto nibbles = hn::And(hn::Shr(hn::Set(du, order), shifts), hn::Set(du, 7));
+  const auto lanes = hn::IndicesFromVec(du, nibbles);
+  const auto ordered = [&](auto v) HWY_ATTR
+  { return hn::TableLookupLanes(hn::BitCast(du, v), lanes); };
+  const auto first = ordered(enter.part[0]);
+  const auto met = hn::Le(hn::BitCast(df, first), hn::BitCast(df, ordered(exit.part[0])));
+  const unsigned bits = Lanes<Float8>{ { met } }.bits();
+  const auto waiting = hn::RebindMask(du, met);
+  hn::StoreU(hn::BitCast(df, compress(first, waiting, bits)), df, stack.enter + stack.height);
+  hn::StoreU(
+    compress(ordered(hn::LoadU(du, node.child)), waiting, bits), du, stack.child + stack.height);
+  stack.height += static_cast<int>(hwy::PopCount(bits));
+#else
+  pushLaneByLane(node, order, enter, exit, stack, [](int, unsigned) {});
+#endif
+}
+
+HWY_INLINE void push(const WideBvhNode& node, std::uint32_t firstId, std::uint32_t order,
+  const Float8& enter, const Float8& exit, NumberedStack& stack)
+{
+  pushLaneByLane(node, order, enter, exit, stack,
+    [&](int at, unsigned lane) { stack.number[at] = firstId + lane; });
+}
+///@}
+
+/// A ray on its way through the tree.
+template <class StackType>
+struct Traveller
+{
+  /// Takes the ray in the state to the root.
+  void start(const WideBvhNodes& tree, RayState& rayState)
   {
-    return;
+    this->state = &rayState;
+    this->ray.start(tree.frame, rayState.ray);
+    this->stop = this->ray.above(rayState.tStop);
+    this->stack.start(this->ray.sMin);
   }
-  const WideRay ray(tree.frame, state.ray);
-  const Planes planes(ray);
-  const WideBvhNode* const nodes = tree.nodes.data();
-  const auto fetch = [&](const Waiting& w)
+
+  /// Takes the nearest child that matters from the stack, which then has it above its top; false
+  /// when there is none.
+  HWY_INLINE bool pop()
   {
-    const char* const memory = w.count > 0 ? static_cast<const char*>(blockAt(w.child))
-                                           : reinterpret_cast<const char*>(nodes + w.child);
+    while (this->stack.height > 0)
+    {
+      --this->stack.height;
+      if (this->stack.enter[this->stack.height] <= this->stop)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Goes through the child taken: into a node, or leaf(span) as the contract of Span.h says.
+  template <class Leaf>
+  HWY_INLINE void step(const WideBvhNodes& tree, Leaf testLeafAt)
+  {
+    const WideChild child(this->stack.child[this->stack.height]);
+    if (!child.isLeaf())
+    {
+      const WideBvhNode& node = tree.nodes[child.nodeIndex()];
+      Float8 enter;
+      Float8 exit;
+      meet(node, this->ray, this->stop, enter, exit);
+      push(node, tree.firstId[child.nodeIndex()], node.order[this->ray.octant], enter, exit,
+        this->stack);
+      return;
+    }
+    const double tStop = this->state->tStop;
+    testLeafAt(*this->state, Span{ child.firstBlock(), tree.countOf(child), 0.0 });
+    if (this->state->tStop < tStop)
+    {
+      this->stop = this->ray.above(this->state->tStop);
+      this->stack.height = this->state->tStop < this->state->ray.tMin ? 0 : this->stack.height;
+    }
+  }
+
+  RayState* state = nullptr;
+  WideRay ray;
+  float stop = 0.0f;
+  StackType stack;
+};
+
+/// Has what a ray will look at when its turn comes again fetched meanwhile.
+template <class T>
+HWY_INLINE void fetchNext(
+  const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, const Stack& stack)
+{
+  if (stack.height > 0)
+  {
+    const WideChild child(stack.child[stack.height - 1]);
+    const char* const memory = child.isLeaf()
+      ? reinterpret_cast<const char*>(&blocks[child.firstBlock()])
+      : reinterpret_cast<const char*>(&tree.nodes[child.nodeIndex()]);
     for (int line = 0; line < 4; ++line)
     {
       hwy::Prefetch(memory + 64 * line);
     }
-  };
-  Waiting stack[stackSize];
-  int height = 0;
-  Waiting next = { 0, 0, ray.sMin, 0 };
-  double tStop = state.tStop;
-  float stop = ray.above(tStop);
-  HWY_ALIGN float enters[wideArity];
-  while (true)
+  }
+}
+
+template <bool Certain, class T>
+void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState* states, int count,
+  const RayFeed& feed)
+{
+  if (tree.nodes.empty())
   {
-    enterNode(next.id);
-    if (next.count > 0)
+    while (feed.next(feed.owner, *states))
     {
-      testLeafAt({ next.child, next.count, 0.0 });
-      if (state.tStop < tStop)
-      {
-        tStop = state.tStop;
-        stop = ray.above(tStop);
-        if (tStop < state.ray.tMin)
-        {
-          return;
-        }
-      }
+      feed.done(feed.owner, *states);
     }
-    else
+    return;
+  }
+  Traveller<Stack> travellers[mostTravellers];
+  Traveller<Stack>* under[mostTravellers]; // way
+  int active = 0;
+  for (int i = 0; i < std::min(count, mostTravellers) && feed.next(feed.owner, states[i]); ++i)
+  {
+    under[active++] = &travellers[i];
+    travellers[i].start(tree, states[i]);
+  }
+  while (active > 0)
+  {
+    for (int i = 0; i < active;)
     {
-      const WideBvhNode& node = nodes[next.child];
-      const unsigned lanes = meets(node, ray, planes, stop, enters);
-      if (lanes != 0)
+      Traveller<Stack>& traveller = *under[i];
+      if (traveller.pop())
       {
-        next = nearest(node, lanes, enters, tree.firstId[next.child], stack, height, fetch);
+        traveller.step(tree,
+          [&](RayState& state, const Span& span) HWY_ATTR
+          { testLeaf<Certain>(state, blocks, span); });
+        fetchNext(tree, blocks, traveller.stack);
+        ++i;
         continue;
       }
-    }
-    do
-    {
-      if (height == 0)
+      feed.done(feed.owner, *traveller.state);
+      if (feed.next(feed.owner, *traveller.state))
       {
-        return;
+        traveller.start(tree, *traveller.state);
       }
-      next = stack[--height];
-    } while (next.enter > stop);
+      else
+      {
+        under[i] = under[--active];
+      }
+    }
   }
 }
 
@@ -212,25 +348,29 @@ RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, bool certain)
   return withChoices(scalar, certain,
     [](auto t, auto isCertain) -> RayKernel
     {
-      return [](const void* structure, const void* store, RayState& state) HWY_ATTR
+      return [](const void* structure, const void* store, RayState* states, int count,
+               const RayFeed& feed) HWY_ATTR
       {
         using T = decltype(t);
-        const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
-        walk(
-          *static_cast<const WideBvhNodes*>(structure), state, [](std::uint32_t) {},
-          [&](const Span& span) HWY_ATTR
-          { testLeaf<decltype(isCertain)::value>(state, blocks, span); },
-          [&](std::uint32_t i) -> const void* { return &blocks[i]; });
+        travel<decltype(isCertain)::value>(*static_cast<const WideBvhNodes*>(structure),
+          *static_cast<const TriangleBlocks<T>*>(store), states, count, feed);
       };
     });
 }
 
 void countingWalk(const WideBvhNodes& tree, RayState& state, CountingVisitor& visitor)
 {
-  walk(
-    tree, state, [&](std::uint32_t id) { visitor.node(id); },
-    [&](const Span& span) { visitor.leaf(span); },
-    [&](std::uint32_t) -> const void* { return tree.nodes.data(); });
+  if (tree.nodes.empty())
+  {
+    return;
+  }
+  Traveller<NumberedStack> traveller;
+  traveller.start(tree, state);
+  while (traveller.pop())
+  {
+    visitor.node(traveller.stack.number[traveller.stack.height]);
+    traveller.step(tree, [&](RayState&, const Span& span) { visitor.leaf(span); });
+  }
 }
 
 WideBvhCountingWalk chooseCountingWalk()
