@@ -206,19 +206,24 @@ using Float4 = Pack<float, 4>;
 using Float8 = Pack<float, 8>;
 using Double4 = Pack<double, 4>;
 
-/// Lane by lane: negative where the sign bit of a is set (also that of -0), else other.
+/// The lanes whose sign bit is set (also that of -0).
+HWY_INLINE hn::Mask<Float4::Tag> signMask(const Float4& a)
+{
+  // Not by Highway's IfNegativeThenElse, which Highway 1.0 gets wrong for plain SSE2.
+  const hn::RebindToSigned<Float4::Tag> d;
+  return hn::RebindMask(Float4::Tag(), hn::Lt(hn::BitCast(d, a.part[0]), hn::Zero(d)));
+}
+
+/// Lane by lane: negative where the sign bit of a is set, else other.
 HWY_INLINE Float4 chooseBySign(const Float4& a, const Float4& negative, const Float4& other)
 {
-  return { { hn::IfNegativeThenElse(a.part[0], negative.part[0], other.part[0]) } };
+  return { { hn::IfThenElse(signMask(a), negative.part[0], other.part[0]) } };
 }
 
 /// Bit i is the sign bit of lane i.
 HWY_INLINE unsigned signs(const Float4& a)
 {
-  const hn::RebindToSigned<Float4::Tag> d;
-  std::uint8_t stored[8] = {};
-  hn::StoreMaskBits(d, hn::Lt(hn::BitCast(d, a.part[0]), hn::Zero(d)), stored);
-  return stored[0];
+  return Lanes<Float4>{ { signMask(a) } }.bits();
 }
 
 /// Rounded to nearest.
