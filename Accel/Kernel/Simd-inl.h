@@ -189,42 +189,9 @@ HWY_INLINE Lanes<Pack<T, N>> operator<(const Pack<T, N>& a, const Pack<T, N>& b)
   return r;
 }
 
-/// Lane by lane: value where the condition holds, else the other one.
-template <class T, int N>
-HWY_INLINE Pack<T, N> choose(const Lanes<Pack<T, N>>& condition, const Pack<T, N>& value, T other)
-{
-  Pack<T, N> r;
-  for (int i = 0; i < Pack<T, N>::parts; ++i)
-  {
-    const typename Pack<T, N>::Tag d;
-    r.part[i] = hn::IfThenElse(condition.part[i], value.part[i], hn::Set(d, other));
-  }
-  return r;
-}
-
 using Float4 = Pack<float, 4>;
 using Float8 = Pack<float, 8>;
 using Double4 = Pack<double, 4>;
-
-/// The lanes whose sign bit is set (also that of -0).
-HWY_INLINE hn::Mask<Float4::Tag> signMask(const Float4& a)
-{
-  // Not by Highway's IfNegativeThenElse, which Highway 1.0 gets wrong for plain SSE2.
-  const hn::RebindToSigned<Float4::Tag> d;
-  return hn::RebindMask(Float4::Tag(), hn::Lt(hn::BitCast(d, a.part[0]), hn::Zero(d)));
-}
-
-/// Lane by lane: negative where the sign bit of a is set, else other.
-HWY_INLINE Float4 chooseBySign(const Float4& a, const Float4& negative, const Float4& other)
-{
-  return { { hn::IfThenElse(signMask(a), negative.part[0], other.part[0]) } };
-}
-
-/// Bit i is the sign bit of lane i.
-HWY_INLINE unsigned signs(const Float4& a)
-{
-  return Lanes<Float4>{ { signMask(a) } }.bits();
-}
 
 /// Rounded to nearest.
 HWY_INLINE Float4 toFloat(const Double4& a)

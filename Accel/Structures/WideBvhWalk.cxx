@@ -144,10 +144,19 @@ HWY_INLINE void meet(
   const Float8 absolutePad = Float8::all(0x1p-120f);
   enter = enter - (absolute(enter) * relative + absolutePad);
   exit = exit + (absolute(exit) * relative + absolutePad);
-  // An enter of NaN is an infinite one on its way out of the box: the box is not met.
-  const auto met = enter <= exit;
-  enter = raise(enter, Float8::all(ray.sMin));
-  exit = choose(met, lower(exit, Float8::all(stop)), std::numeric_limits<float>::quiet_NaN());
+  HWY_ALIGN float enters[wideArity];
+  HWY_ALIGN float exits[wideArity];
+  enter.store(enters);
+  exit.store(exits);
+  for (int lane = 0; lane < wideArity; ++lane)
+  {
+    // An enter of NaN is an infinite one on its way out of the box: the box is not met.
+    exits[lane] = enters[lane] <= exits[lane] ? std::min(exits[lane], stop)
+                                              : std::numeric_limits<float>::quiet_NaN();
+    enters[lane] = std::max(enters[lane], ray.sMin);
+  }
+  enter = Float8::load(enters);
+  exit = Float8::load(exits);
 }
 
 /// Puts the children met on the stack, the nearest on top: in the order of the ray's octant, which

@@ -48,7 +48,8 @@ struct WideRay
     static_assert(sizeof(Ray) == 8 * sizeof(double) && sizeof(WideBvhFrame) == 4 * sizeof(double));
     const auto* const numbers = reinterpret_cast<const double*>(&ray);
     const Double4 o =
-      (Double4::load(numbers) - Double4::load(frame.centre.data())) * Double4::all(frame.scale);
+      (Double4::load(numbers) - Double4::load(reinterpret_cast<const double*>(&frame))) *
+      Double4::all(frame.scale);
     if (((Double4::all(0x1p64) < absolute(o)).bits() & 7u) != 0)
     {
       this->meetEverything();
@@ -56,13 +57,20 @@ struct WideRay
     else
     {
       const Double4 pad = absolute(o) * Double4::all(0x1p-22) + Double4::all(0x1p-120);
-      const Float4 low = toFloat(o - pad);
-      const Float4 high = toFloat(o + pad);
+      HWY_ALIGN float low[4];
+      HWY_ALIGN float high[4];
+      toFloat(o - pad).store(low);
+      toFloat(o + pad).store(high);
       const Float4 along = toFloat(Double4::load(numbers + 3) * Double4::all(unit));
-      // A near plane's t is bounded from below, a far plane's from above.
-      chooseBySign(along, low, high).store(this->originNear);
-      chooseBySign(along, high, low).store(this->originFar);
-      this->octant = signs(along) & 7u;
+      this->octant = 0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const bool negative = std::signbit(ray.direction[k]);
+        this->octant |= negative ? 1u << k : 0u;
+        // A near plane's t is bounded from below, a far plane's from above.
+        this->originNear[k] = negative ? low[k] : high[k];
+        this->originFar[k] = negative ? high[k] : low[k];
+      }
       this->sMin = this->below(ray.tMin);
       this->setReciprocals(ray, Float4::all(1.0f) / along);
     }
@@ -85,8 +93,8 @@ struct WideRay
   }
   ///@}
 
-  float originNear[4];
-  float originFar[4];
+  float originNear[3];
+  float originFar[3];
   float nearReciprocal[4]; ///< padded downward where forward
   float farReciprocal[4];  ///< padded upward where forward
   unsigned octant;         ///< bit k is set where component k of the direction is negative
@@ -123,8 +131,8 @@ private:
   /// infinity, still nowhere.
   void meetEverything()
   {
-    std::fill_n(this->originNear, 4, 0x1p100f);
-    std::fill_n(this->originFar, 4, -0x1p100f);
+    std::fill_n(this->originNear, 3, 0x1p100f);
+    std::fill_n(this->originFar, 3, -0x1p100f);
     std::fill_n(this->nearReciprocal, 4, 1.0f);
     std::fill_n(this->farReciprocal, 4, 1.0f);
     this->octant = 0;
