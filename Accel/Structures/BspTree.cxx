@@ -27,9 +27,9 @@ public:
   {
     StructureWalks walks;
     walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor)
-    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box, visitor); };
+    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box(), visitor); };
     walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
-    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box, visitor); };
+    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box(), visitor); };
     return walks;
   }
 
