@@ -44,6 +44,8 @@ def domains_of(prop) -> list:
 
 
 def default_and_range(prop) -> tuple[str, str]:
+    if prop.IsA("vtkSMProxyProperty"):
+        return "", "one of the list"
     values = [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
     if prop.GetCommand() == "SetInputArrayToProcess":
         return values[-1], "arrays of vectors"

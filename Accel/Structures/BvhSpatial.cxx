@@ -48,10 +48,22 @@ private:
   Box box_;
 };
 
-/// Bounds of the part between two planes across an axis; empty where there is none.
+/// Bounds of the part between two planes across an axis; empty where there is none. Of a quadric,
+/// whose corners are NaN, all that lies between them.
 BuildBox partBetween(const std::array<Vec3, 3>& corners, int axis, float low, float high)
 {
   PartBounds bounds;
+  if (std::isnan(corners[0][0]))
+  {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Vec3 lower = { -far, -far, -far };
+    Vec3 upper = { far, far, far };
+    lower[axis] = low;
+    upper[axis] = high;
+    bounds.add(lower);
+    bounds.add(upper);
+    return bounds.rounded();
+  }
   for (int i = 0; i < 3; ++i)
   {
     const Vec3& a = corners[i];

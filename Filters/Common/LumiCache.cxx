@@ -4,6 +4,7 @@
 
 #include "LumiGather.h"
 #include "LumiLeaves.h"
+#include "LumiQuadrics.h"
 #include "LumiReplicate.h"
 #include "LumiReport.h"
 #include "LumiSharedSurface.h"
@@ -123,9 +124,18 @@ struct Located
   std::vector<vtkSmartPointer<vtkDataSet>> leaves;
 };
 
+/// A surface numbers its quadrics after its triangles.
+std::vector<InputLeaf> sortedLeavesOf(vtkDataObject* input)
+{
+  std::vector<InputLeaf> leaves = leavesOf(input);
+  std::stable_partition(
+    leaves.begin(), leaves.end(), [](const InputLeaf& leaf) { return !holdsQuadrics(leaf.data); });
+  return leaves;
+}
+
 Located locateHere(vtkDataObject* input, int threads)
 {
-  const std::vector<InputLeaf> leaves = leavesOf(input);
+  const std::vector<InputLeaf> leaves = sortedLeavesOf(input);
   const GeometryKey key = keyOf(leaves);
   Located located;
   located.surface = Cache::instance().find(key).surface;
@@ -176,7 +186,7 @@ Located locateEverywhere(
   together(controller,
     [&]
     {
-      leaves = leavesOf(input);
+      leaves = sortedLeavesOf(input);
       key = keyOf(leaves);
       key.push_back(reinterpret_cast<std::uintptr_t>(controller));
       if (arrays == GatherArrays::Yes)
@@ -220,6 +230,8 @@ Located locateEverywhere(
       {
         parts.push_back(unpack(vtkPolyData::SafeDownCast(one.object), one.process));
       }
+      std::stable_partition(parts.begin(), parts.end(),
+        [](const SurfacePart& part) { return part.triangles.quadrics.empty(); });
       surface = std::make_shared<SharedSurface>(std::move(parts), true, threads);
     });
   const long long gathering = Cache::instance().nextGathering(controller);

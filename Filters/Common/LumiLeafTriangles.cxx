@@ -5,6 +5,7 @@
 #include "LumiCellOrder.h"
 #include "LumiJob.h"
 #include "LumiPoints.h"
+#include "LumiQuadrics.h"
 #include "LumiTriangulate.h"
 
 #include "vtkCellArray.h"
@@ -75,12 +76,34 @@ void triangulate(const std::vector<PolygonCell>& order, std::size_t begin, std::
   }
 }
 
+/// Quadrics whose vertex is a ghost do not occlude either.
+void takeQuadrics(vtkDataSet* leaf, const CellSelection& selection, LeafTriangles& result)
+{
+  const std::vector<Quadric> all = readQuadrics(leaf);
+  for (std::size_t q = 0; q < all.size(); ++q)
+  {
+    const auto cell = static_cast<vtkIdType>(q);
+    if (selection[cell] == CellState::Occludes)
+    {
+      result.quadrics.push_back(all[q]);
+      result.cells.push_back(cell);
+    }
+  }
+}
+
 } // namespace
 
 LeafTriangles trianglesOf(vtkDataSet* leaf, int threads)
 {
   LeafTriangles result;
   const CellSelection selection = selectCells(leaf);
+  if (holdsQuadrics(leaf))
+  {
+    result.hiddenCells = selection.hidden;
+    result.duplicateCells = selection.duplicate;
+    takeQuadrics(leaf, selection, result);
+    return result;
+  }
   const ExtractedSurface surface = extractSurface(leaf, selection);
   result.hiddenCells = selection.hidden;
   result.duplicateCells = selection.duplicate;

@@ -15,20 +15,21 @@
 namespace lumitree::filters
 {
 
-/// A leaf as triangles, ordered by (cell, sub-triangle).
+/// A leaf as triangles, ordered by (cell, sub-triangle), or as quadrics: never both.
 struct LeafTriangles
 {
   PointArray points;
-  std::vector<Triangle> triangles;          ///< indices into points
-  std::vector<std::int64_t> cells;          ///< one per triangle: its cell in the leaf
+  std::vector<Triangle> triangles; ///< indices into points
+  std::vector<Quadric> quadrics;
+  std::vector<std::int64_t> cells;          ///< one per primitive: its cell in the leaf
   vtkSmartPointer<vtkIdTypeArray> pointIds; ///< of each point in the leaf; null: the same
   std::uint64_t hiddenCells = 0;
   std::uint64_t duplicateCells = 0;
   std::uint64_t passedOver = 0;
 };
 
-/// Throws std::invalid_argument for cells that name points that do not exist and for more than 2^32
-/// − 2 points or triangles.
+/// Throws std::invalid_argument for what readQuadrics refuses, cells that name points that do not
+/// exist and for more than 2^32 − 2 points or triangles.
 [[nodiscard]] LeafTriangles trianglesOf(vtkDataSet* leaf, int threads = 0);
 
 } // namespace lumitree::filters

@@ -3,10 +3,12 @@
 #include "LumiLeaves.h"
 
 #include "LumiPoints.h"
+#include "LumiQuadrics.h"
 
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -75,6 +77,13 @@ void addPolyData(GeometryKey& key, vtkPolyData* data)
   addCells(key, data->GetNumberOfStrips() > 0 ? data->GetStrips() : nullptr);
   addArray(key, data->GetCellGhostArray());
   addArray(key, data->GetPointGhostArray());
+  if (holdsQuadrics(data))
+  {
+    for (const char* name : { quadricFormName, quadricBoxName, quadricCutsName, quadricBoundName })
+    {
+      addArray(key, vtkDataArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name)));
+    }
+  }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "LumiReplicate.h"
 
 #include "LumiPoints.h"
+#include "LumiQuadrics.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -80,11 +81,35 @@ vtkSmartPointer<vtkTypeInt64Array> idsIn(vtkFieldData* data, const char* name, s
   return ids;
 }
 
+void addHeader(const LeafTriangles& own, std::int64_t compositeIndex, vtkPolyData* packed)
+{
+  const auto header = newIds(headerName, 4);
+  header->SetValue(0, compositeIndex);
+  header->SetValue(1, static_cast<std::int64_t>(own.hiddenCells));
+  header->SetValue(2, static_cast<std::int64_t>(own.duplicateCells));
+  header->SetValue(3, static_cast<std::int64_t>(own.passedOver));
+  packed->GetFieldData()->AddArray(header);
+}
+
+/// Quadrics go whole, with the polygons that show them.
+vtkSmartPointer<vtkPolyData> packQuadrics(
+  const LeafTriangles& own, vtkDataSet* leaf, std::int64_t compositeIndex)
+{
+  auto packed = vtkSmartPointer<vtkPolyData>::New();
+  packed->ShallowCopy(leaf);
+  addHeader(own, compositeIndex, packed);
+  return packed;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> pack(
   const LeafTriangles& triangles, vtkDataSet* leaf, std::int64_t compositeIndex, bool arrays)
 {
+  if (holdsQuadrics(leaf))
+  {
+    return packQuadrics(triangles, leaf, compositeIndex);
+  }
   const PointArray& all = triangles.points;
   std::vector<std::uint32_t> renumbered(all.count, unused);
   std::vector<std::uint32_t> used;
@@ -128,12 +153,7 @@ vtkSmartPointer<vtkPolyData> pack(
   }
   packed->GetPointData()->AddArray(pointIds);
   packed->GetCellData()->AddArray(cellIds);
-  const auto header = newIds(headerName, 4);
-  header->SetValue(0, compositeIndex);
-  header->SetValue(1, static_cast<std::int64_t>(triangles.hiddenCells));
-  header->SetValue(2, static_cast<std::int64_t>(triangles.duplicateCells));
-  header->SetValue(3, static_cast<std::int64_t>(triangles.passedOver));
-  packed->GetFieldData()->AddArray(header);
+  addHeader(triangles, compositeIndex, packed);
   return packed;
 }
 
@@ -143,6 +163,19 @@ SurfacePart unpack(vtkPolyData* packed, int process)
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->ShallowCopy(packed);
   LeafTriangles& own = part.triangles;
+  const auto header = idsIn(data->GetFieldData(), headerName, 4);
+  part.leaf.compositeIndex = header->GetValue(0);
+  part.leaf.process = process;
+  part.leaf.data = data;
+  data->GetFieldData()->RemoveArray(headerName);
+  if (holdsQuadrics(data))
+  {
+    own = trianglesOf(data);
+    return part;
+  }
+  own.hiddenCells = static_cast<std::uint64_t>(header->GetValue(1));
+  own.duplicateCells = static_cast<std::uint64_t>(header->GetValue(2));
+  own.passedOver = static_cast<std::uint64_t>(header->GetValue(3));
   own.points = pointsOf(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
 
   vtkCellArray* cells = data->GetPolys();
@@ -159,17 +192,8 @@ SurfacePart unpack(vtkPolyData* packed, int process)
   const auto pointIds = idsIn(data->GetPointData(), pointIdsName, own.points.count);
   own.pointIds = vtkSmartPointer<vtkIdTypeArray>::New();
   own.pointIds->DeepCopy(pointIds);
-  const auto header = idsIn(data->GetFieldData(), headerName, 4);
-  own.hiddenCells = static_cast<std::uint64_t>(header->GetValue(1));
-  own.duplicateCells = static_cast<std::uint64_t>(header->GetValue(2));
-  own.passedOver = static_cast<std::uint64_t>(header->GetValue(3));
-  part.leaf.compositeIndex = header->GetValue(0);
-  part.leaf.process = process;
-
   data->GetCellData()->RemoveArray(cellIdsName);
   data->GetPointData()->RemoveArray(pointIdsName);
-  data->GetFieldData()->RemoveArray(headerName);
-  part.leaf.data = data;
   return part;
 }
 

@@ -68,23 +68,27 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int 
   index->gathered = gathered;
   std::size_t points = 0;
   std::size_t triangles = 0;
+  std::size_t primitives = 0;
   for (const SurfacePart& part : parts)
   {
     points += part.triangles.points.count;
     triangles += part.triangles.triangles.size();
+    primitives += part.triangles.cells.size();
   }
-  if (std::max(points, triangles) >= std::numeric_limits<std::uint32_t>::max())
+  if (std::max(points, primitives) >= std::numeric_limits<std::uint32_t>::max())
   {
-    throw std::invalid_argument("more than 2^32 - 2 points or triangles in all datasets together");
+    throw std::invalid_argument(
+      "more than 2^32 - 2 points, or triangles and quadrics, in all datasets together");
   }
 
   PointArray joinedPoints = join(parts, points);
   std::vector<Triangle> all;
+  std::vector<Quadric> quadrics;
   SourceMap sources;
   if (parts.size() != 1)
   {
     all.reserve(triangles);
-    sources.cells.reserve(triangles);
+    sources.cells.reserve(primitives);
   }
   std::size_t firstPoint = 0;
   PrimitiveId firstPrimitive = 0;
@@ -99,12 +103,13 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int 
     index->firstPrimitive.push_back(firstPrimitive);
     index->firstPoint.push_back(firstPoint);
     index->pointIds.push_back(own.pointIds);
-    if (!own.triangles.empty())
+    if (!own.cells.empty())
     {
       sources.blocks.push_back({ firstPrimitive, part.leaf.compositeIndex });
     }
 
-    firstPrimitive += static_cast<PrimitiveId>(own.triangles.size());
+    firstPrimitive += static_cast<PrimitiveId>(own.cells.size());
+    quadrics.insert(quadrics.end(), own.quadrics.begin(), own.quadrics.end());
     if (parts.size() == 1)
     {
       all = std::move(own.triangles);
@@ -130,7 +135,7 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int 
   }
 
   this->input_.surface = std::make_shared<const Surface>(
-    std::move(joinedPoints), std::move(all), std::move(sources), threads);
+    std::move(joinedPoints), std::move(all), std::move(quadrics), std::move(sources), threads);
   index->surface = this->input_.surface;
   this->index_ = std::move(index);
 }

@@ -29,8 +29,9 @@ struct SurfacePart
 class SharedSurface : public std::enable_shared_from_this<SharedSurface>
 {
 public:
-  /// `gathered`: the parts carry their datasets, whose cells are the triangles. Throws
-  /// std::invalid_argument when there are too many points or triangles.
+  /// Parts of quadrics come after those of triangles. `gathered`: the parts carry their datasets,
+  /// whose cells are the triangles. Throws std::invalid_argument when there are too many points or
+  /// triangles.
   SharedSurface(std::vector<SurfacePart> parts, bool gathered, int threads = 0);
 
   /// The surface as a filter sees it; it keeps this object, and so what the cache remembers.

@@ -17,6 +17,12 @@ void fill(const SurfaceIndex& index, std::size_t leaf, PointTable& table)
   {
     for (PrimitiveId primitive = first; primitive < end; ++primitive)
     {
+      if (index.surface->isQuadric(primitive))
+      {
+        // Vertex cell q uses point q.
+        visit(static_cast<std::size_t>(index.surface->source(primitive).cell), primitive);
+        continue;
+      }
       for (const std::uint32_t point : index.surface->triangle(primitive))
       {
         const vtkIdType id = index.originalPointId(leaf, point);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LumiSurfaceInput.h"
 
+#include "LumiQuadrics.h"
 #include "LumiSurfaceIndex.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ std::optional<std::size_t> SurfaceInput::findLeaf(std::int64_t compositeIndex, i
 
 vtkIdType SurfaceInput::leafCellId(PrimitiveId primitive) const
 {
-  return this->index->gathered
+  return this->index->gathered && !this->surface->isQuadric(primitive)
     ? static_cast<vtkIdType>(primitive - this->firstPrimitive[this->leafOf(primitive)])
     : static_cast<vtkIdType>(this->surface->source(primitive).cell);
 }
@@ -70,8 +71,13 @@ vtkIdType SurfaceInput::leafCellId(PrimitiveId primitive) const
 std::array<vtkIdType, 3> SurfaceInput::leafPointIds(PrimitiveId primitive) const
 {
   const std::size_t leaf = this->leafOf(primitive);
+  std::array<vtkIdType, 3> ids{ -1, -1, -1 };
+  if (this->surface->isQuadric(primitive))
+  {
+    ids[0] = this->leafCellId(primitive);
+    return ids;
+  }
   const Triangle& triangle = this->surface->triangle(primitive);
-  std::array<vtkIdType, 3> ids{};
   for (std::size_t k = 0; k < 3; ++k)
   {
     ids[k] = this->index->gathered
@@ -84,6 +90,10 @@ std::array<vtkIdType, 3> SurfaceInput::leafPointIds(PrimitiveId primitive) const
 std::vector<PrimitiveId> SurfaceInput::primitivesOfCell(std::size_t leaf, vtkIdType cellId) const
 {
   std::vector<PrimitiveId> primitives;
+  if (holdsQuadrics(this->leaves[leaf].data))
+  {
+    cellId = quadricOf(this->leaves[leaf].data, cellId, false);
+  }
   const PrimitiveId first = lowerBound(*this->index, leaf, cellId);
   if (first < this->index->firstPrimitive[leaf + 1] && this->surface->source(first).cell == cellId)
   {
@@ -96,6 +106,10 @@ std::vector<PrimitiveId> SurfaceInput::primitivesAroundPoint(
   std::size_t leaf, vtkIdType pointId) const
 {
   std::vector<PrimitiveId> primitives;
+  if (holdsQuadrics(this->leaves[leaf].data))
+  {
+    pointId = quadricOf(this->leaves[leaf].data, pointId, true);
+  }
   const PointTable& table = this->index->pointTable(leaf);
   if (pointId < 0 || static_cast<std::size_t>(pointId) + 1 >= table.offsets.size())
   {

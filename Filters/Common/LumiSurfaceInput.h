@@ -32,14 +32,15 @@ struct SurfaceLeaf
   int process = 0;                 ///< rank whose piece it is
 };
 
-/// What an accelerator was made from: the triangles of all leaves as one surface, and the ways back
-/// to the cells and points that they came from. Primitives are ordered by (leaf, cell,
-/// sub-triangle). Immutable, except that a look-up table is made when it is first asked for: any
-/// thread may read it.
+/// What an accelerator was made from: the triangles and quadrics of all leaves as one surface, and
+/// the ways back to the cells and points that they came from. Primitives are ordered by (leaf,
+/// cell, sub-triangle), and leaves of quadrics come after those of triangles. Immutable, except
+/// that a look-up table is made when it is first asked for: any thread may read it.
 struct LUMITREEFILTERSCOMMON_EXPORT SurfaceInput
 {
   std::shared_ptr<const Surface> surface;
-  std::vector<SurfaceLeaf> leaves; ///< by rank, then in the order of the composite
+  /// By (triangles or quadrics), rank, and the order of the composite.
+  std::vector<SurfaceLeaf> leaves;
   /// One per leaf, ascending; an empty leaf has its successor's.
   std::vector<PrimitiveId> firstPrimitive;
 
@@ -64,11 +65,12 @@ struct LUMITREEFILTERSCOMMON_EXPORT SurfaceInput
 
   /// The primitive's vertices (v0, v1, v2) as point ids of leaves[leafOf(primitive)].data: where
   /// their point data stands. −1 for a vertex that is no point of the leaf (a subdivided nonlinear
-  /// face).
+  /// face). Of a quadric its vertex cell's point, and −1 twice.
   [[nodiscard]] std::array<vtkIdType, 3> leafPointIds(PrimitiveId primitive) const;
 
   /// Every primitive of a cell, ascending: what a receiver on that cell must not see. cellId is the
-  /// original id, local to the leaf's dataset. Empty when the cell gave none.
+  /// original id, local to the leaf's dataset. Empty when the cell gave none. Of a polygon that
+  /// shows a quadric it is that quadric, and so for points.
   [[nodiscard]] std::vector<PrimitiveId> primitivesOfCell(std::size_t leaf, vtkIdType cellId) const;
 
   /// Every primitive of every cell that uses a point, ascending: what a receiver at that point must

@@ -27,26 +27,6 @@ namespace
 
 constexpr std::size_t chunk = 8192;
 
-/// Unit normal of a triangle by its winding. Edges are scaled first, so that the squares of very
-/// small and very large ones are still numbers.
-Vec3 unitNormal(const std::array<Vec3, 3>& v)
-{
-  Vec3 a = v[1] - v[0];
-  Vec3 b = v[2] - v[0];
-  for (Vec3* edge : { &a, &b })
-  {
-    const double largest =
-      std::max({ std::fabs((*edge)[0]), std::fabs((*edge)[1]), std::fabs((*edge)[2]) });
-    for (double& x : *edge)
-    {
-      x /= largest;
-    }
-  }
-  const Vec3 n = cross(a, b);
-  const double l = length(n);
-  return { n[0] / l, n[1] / l, n[2] / l };
-}
-
 void makeVertices(vtkIdType count, int threads, vtkPolyData* hits)
 {
   vtkNew<vtkIdTypeArray> offsets;
@@ -206,8 +186,8 @@ void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
   const auto place = [&](const Ray& ray, const Hit& hit, vtkIdType i)
   {
     const SourceCell source = surface.source(hit.primitive);
-    const Vec3 n = unitNormal(surface.vertices(hit.primitive));
     const Vec3 p = ray.origin + hit.t * ray.direction;
+    const Vec3 n = surface.normal(hit.primitive, p);
     primitives[i] = hit.primitive;
     t[i] = hit.t;
     cell[i] = static_cast<vtkIdType>(source.cell);

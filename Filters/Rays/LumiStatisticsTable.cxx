@@ -122,6 +122,8 @@ void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& vi
     !measureOverlap || !withRow ? notMeasured
       : isHierarchyOfBoxes      ? endPointOverlap(view, surface)
                                 : 0.0);
+  row.add("Quadrics", std::uint64_t{ surface.quadricCount() });
+  row.add("SkippedEmptyQuadrics", std::uint64_t{ surface.emptyQuadricCount() });
 }
 
 void makeCastTable(

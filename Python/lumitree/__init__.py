@@ -13,6 +13,7 @@
 `point_light`,              lights
 `directional_light`
 `scene`, `read`, `write`    built-in scenes, files
+`implicit`                  spheres, cylinders and other quadrics without a mesh
 `lumitree.vtk`              the VTK classes beneath
 =========================== ===============================================================
 
@@ -32,10 +33,12 @@ from .choices import (
     Query,
     ReceiverLocation,
     Scene,
+    Shape,
     Structure,
 )
 from .errors import LumitreeError, LumitreeWarning
 from .files import read, write
+from .implicit import implicit
 from .lights import directional_light, point_light
 from .radiometry import Irradiance, irradiance
 from .raycast import Caster, Hits, cast, inside
@@ -59,6 +62,7 @@ __all__ = [
     "Query",
     "ReceiverLocation",
     "Scene",
+    "Shape",
     "Structure",
     "SurfaceReport",
     "accuracy_chart",
@@ -66,6 +70,7 @@ __all__ = [
     "cast",
     "directional_light",
     "hierarchy",
+    "implicit",
     "inside",
     "irradiance",
     "point_light",

@@ -87,6 +87,21 @@ class LightSystem(IntEnum):
     PHOTOMETRIC = 1
 
 
+class Shape(IntEnum):
+    """A body of second degree."""
+
+    SPHERE = 0
+    ELLIPSOID = 1
+    CYLINDER = 2
+    CONE = 3
+    PARABOLOID = 4
+    DISC = 5
+    PLANE = 6
+    BOX = 7
+    QUADRIC = 8
+    FUNCTION = 9
+
+
 class Scene(IntEnum):
     """A built-in scene."""
 

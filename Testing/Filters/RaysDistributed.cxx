@@ -5,6 +5,7 @@
 #include "RaysFixtures.h"
 
 #include "vtkLumiAccelerationStructure.h"
+#include "vtkLumiImplicitSurface.h"
 #include "vtkLumiRayCast.h"
 
 #include "vtkCellData.h"
@@ -64,6 +65,43 @@ void connect(Filter* filter)
 }
 
 } // namespace
+
+TEST(RaysDistributed, BodiesOfEveryRankAreMet)
+{
+  // On rank r a ball of radius 0.5 at height r, and one that is never hit; rank 1 has a mesh.
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 2 * rank());
+  points->InsertNextPoint(9, 9, 9);
+  vtkNew<vtkPolyData> places;
+  places->SetPoints(points);
+  vtkNew<vtkLumiImplicitSurface> balls;
+  balls->SetInputData(places);
+  balls->Update();
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, balls->GetOutput());
+  if (rank() == 1)
+  {
+    scene->SetBlock(1, triangles({ { -9, -9, 7 }, { 9, -9, 7 }, { 0, 9, 7 } }));
+  }
+  vtkNew<vtkLumiRayCast> cast;
+  cast->SetController(world);
+  cast->SetInputDataObject(0, scene);
+  cast->SetRaysData(pointRays({ { { 0, 0, -1 }, { 0, 0, 1 } } }));
+  cast->SetQuery(vtkLumiRayCast::All);
+  cast->PassSurfaceDataOn();
+  cast->Update();
+  vtkPointData* hits = vtkPolyData::SafeDownCast(cast->GetOutputDataObject(0))->GetPointData();
+  ASSERT_EQ(hits->GetNumberOfTuples(), 7);
+  for (vtkIdType h = 0; h < 6; ++h)
+  {
+    EXPECT_EQ(value(hits, "ProcessId", h), h / 2);
+    EXPECT_EQ(value(hits, "CellId", h), 0.0);
+    EXPECT_EQ(value(hits, "CompositeIndex", h), 1);
+    EXPECT_EQ(value(hits, "T", h), 2 * (h / 2) + 0.5 + h % 2);
+  }
+  EXPECT_EQ(value(hits, "ProcessId", 6), 1);
+  EXPECT_EQ(value(hits, "CompositeIndex", 6), 2);
+}
 
 TEST(RaysDistributed, EveryRankMeetsAllSurfaces)
 {
@@ -131,7 +169,7 @@ TEST(RaysDistributed, RankZeroShowsTheStructureForAll)
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(structure->GetOutputDataObject(0));
   auto* table = vtkTable::SafeDownCast(structure->GetOutputDataObject(1));
   EXPECT_EQ(blocks->GetNumberOfBlocks(), 3u); // three leaves
-  EXPECT_EQ(table->GetNumberOfColumns(), 19);
+  EXPECT_EQ(table->GetNumberOfColumns(), 21);
   EXPECT_EQ(table->GetNumberOfRows(), rank() == 0 ? 1 : 0);
   auto* root = vtkPolyData::SafeDownCast(blocks->GetBlock(0));
   EXPECT_EQ(root->GetNumberOfCells(), rank() == 0 ? 12 : 0);

@@ -74,6 +74,30 @@ def camera_that_sees_the_scene():
     assert not mask[0].any() and not mask[:, 0].any()
 
 
+def bodies_without_a_mesh():
+    rays = [Line(Point1=[x, 0.1, -9], Point2=[x, 0.1, 9], Resolution=1) for x in (0, 5)]
+    ball = ImplicitSurface(Shape="Sphere", Radius=0.5)
+    points = ImplicitSurfacesatPoints(Input=PointSource(Center=[5, 0, 0]), Shape="Cylinder")
+    scene = GroupDatasets(Input=[ball, Sphere(Radius=2), points])
+    hits = [fetch(RayCast(Input=scene, Rays=ray, Query="All")) for ray in rays]
+    assert point_array(hits[0], "CompositeIndex").tolist() == [2, 1, 1, 2]
+    assert point_array(hits[1], "CompositeIndex").tolist() == [3, 3]
+    body = ImplicitSurface(Shape="Function", Bounds=[-9, 9, -9, 9, -9, 9])
+    for name, count in (("Sphere", 2), ("Plane", 0), ("Cylinder", 0), ("Quadric", 2), ("Box", 2)):
+        body.ImplicitFunction = name
+        if name == "Plane":
+            body.ImplicitFunction.Normal = [0, 0, 1]
+            count = 1
+        if name == "Cylinder":
+            body.ImplicitFunction.Axis = [0, 1, 1]
+            count = 2
+        if name == "Box":
+            body.ImplicitFunction.Position = [-1, -2, -3]
+            body.ImplicitFunction.Length = [2, 4, 6]
+        found = fetch(RayCast(Input=body, Rays=rays[0], Query="All")).GetNumberOfPoints()
+        assert found == count, (name, found)
+
+
 def structure_of_a_sphere():
     sphere = BuiltinScene(Scene="Sphere", Resolution=8)
     structure = AccelerationStructure(Input=sphere, Structure="BVH", MaximumLevel=3)
@@ -148,6 +172,7 @@ for test in (
     rays_from_a_closed_room,
     surface_rays_leave_along_the_normal,
     camera_that_sees_the_scene,
+    bodies_without_a_mesh,
     structure_of_a_sphere,
     visits_of_rays,
     irradiance_under_a_point_light,

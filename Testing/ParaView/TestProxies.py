@@ -31,6 +31,7 @@ CHOICES = {
     "Mode": "ParallelGrid SphereAroundPoint Random",
     "RandomOrigins": "InBox OnSphere",
     "NodesAs": "Outlines Cells",
+    "Shape": "Sphere Ellipsoid Cylinder Cone Paraboloid Disc Plane Box Quadric Function",
     "Scene": "CornellBox Teapot City TeapotInStadium RandomCloud Sphere Torus Terrain",
 }
 # A name has no domain, nor an upper limit that is infinite in C++ and cannot be written in XML.
@@ -38,6 +39,12 @@ WITHOUT_DOMAIN = {"LightName"}
 INFINITE = {"TMax"}
 # Differs on purpose: the filter is there for the camera that the source does not have.
 OTHER_DEFAULT = {("LumiCameraRaysOfScene", "AutomaticCamera")}
+# What only makes sense with an input, or only without.
+ELSEWHERE = {
+    "LumiCameraRays": {"AutomaticCamera"},
+    "LumiImplicitSurface": {"RadiusArray", "DirectionArray"},
+    "LumiImplicitSurfaceAtPoints": {"Bounds", "Coefficients", "ImplicitFunction"},
+}
 
 
 def properties_of(proxy):
@@ -56,6 +63,8 @@ def check_choices(name, vtk_object, domain):
         return
     constants = [getattr(vtk_object, constant) for constant in CHOICES[name].split()]
     assert constants == list(range(len(constants))), f"{name}: {constants}"
+    if name == "Shape":
+        entries |= set(constants[6:])  # at points there are only those with a place
     assert entries == set(constants), f"{name}: {entries}"
 
 
@@ -112,6 +121,5 @@ for group, proxy_names in PROXIES.items():
             check_property(proxy_name, name, prop, vtk_class())
             commands.add(prop.GetCommand())
         missing = {name for name in settable(vtk_class) if "Set" + name not in commands}
-        if proxy_name == "LumiCameraRays":
-            missing.remove("AutomaticCamera")
+        missing -= ELSEWHERE.get(proxy_name, set())
         assert not missing, f"{proxy_name} lacks {missing}"

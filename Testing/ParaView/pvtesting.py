@@ -9,11 +9,19 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PLUGIN = os.path.join(os.environ["LUMITREE_PLUGIN_DIR"], "Lumitree", "Lumitree.so")
 PROXIES = {
-    "sources": ["LumiScene", "LumiCameraRays", "LumiRays", "LumiPointLight", "LumiDirectionalLight"],
+    "sources": [
+        "LumiScene",
+        "LumiCameraRays",
+        "LumiImplicitSurface",
+        "LumiRays",
+        "LumiPointLight",
+        "LumiDirectionalLight",
+    ],
     "filters": [
         "LumiAccelerationStructure",
         "LumiAccuracyChart",
         "LumiCameraRaysOfScene",
+        "LumiImplicitSurfaceAtPoints",
         "LumiIrradiance",
         "LumiRayCast",
         "LumiSurfaceRays",

@@ -105,7 +105,13 @@ def test_triangles_that_are_none_are_never_hit():
 
 def test_names_are_those_of_the_wrapped_classes():
     from lumitree import choices
-    from lumitree.vtk import vtkLumiIrradiance, vtkLumiPointLight, vtkLumiRayCast, vtkLumiScene
+    from lumitree.vtk import (
+        vtkLumiImplicitSurface,
+        vtkLumiIrradiance,
+        vtkLumiPointLight,
+        vtkLumiRayCast,
+        vtkLumiScene,
+    )
 
     for kind, wrapped in (
         (choices.Structure, vtkLumiRayCast),
@@ -117,6 +123,7 @@ def test_names_are_those_of_the_wrapped_classes():
         (choices.ReceiverLocation, vtkLumiIrradiance),
         (choices.LightSystem, vtkLumiPointLight),
         (choices.Scene, vtkLumiScene),
+        (choices.Shape, vtkLumiImplicitSurface),
     ):
         for member in kind:
             camel = "".join(part.capitalize() for part in member.name.split("_"))

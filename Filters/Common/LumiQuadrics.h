@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LumiQuadrics_h
+#define LumiQuadrics_h
+
+#include "LumitreeFiltersCommonModule.h"
+#include "vtkLumiABI.h"
+
+#include "vtkType.h"
+
+#include "Accel/Quadric.h"
+
+#include <optional>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+namespace lumitree::filters
+{
+
+/// Quadrics as pipeline data: a vtkPolyData whose field data holds the definition (schema 1 in
+/// Docs/data-model.md), with a vertex cell per quadric at its form's centre first, and polygons to
+/// look at behind, which rays do not see. The point and cell array QuadricId says whose they are.
+
+/// Whether the dataset holds quadrics: its cells are then no surface of their own.
+[[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT bool holdsQuadrics(vtkDataSet* data);
+
+/// The quadrics of such a dataset. Throws std::invalid_argument for a schema that is not known,
+/// arrays that are missing or of another size, and where vertices are not at the centres: then a
+/// filter has moved or taken away cells without knowing what they stand for.
+[[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::vector<Quadric> readQuadrics(vtkDataSet* data);
+
+/// Appends the definition to the field data. The caller makes cells and points.
+LUMITREEFILTERSCOMMON_EXPORT void writeQuadrics(
+  const std::vector<Quadric>& quadrics, vtkPolyData* data);
+
+/// The quadric that a cell or a point of such a dataset shows; −1 where there is none.
+[[nodiscard]] vtkIdType quadricOf(vtkDataSet* data, vtkIdType id, bool point);
+
+/// Names of its arrays.
+///@{
+inline constexpr const char* quadricSchemaName = "QuadricSchema";
+inline constexpr const char* quadricFormName = "QuadricForm";
+inline constexpr const char* quadricBoxName = "QuadricBox";
+inline constexpr const char* quadricCutsName = "QuadricCuts";
+inline constexpr const char* quadricBoundName = "QuadricBound";
+inline constexpr const char* quadricIdName = "QuadricId";
+///@}
+
+} // namespace lumitree::filters
+#endif
