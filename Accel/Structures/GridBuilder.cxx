@@ -16,7 +16,6 @@ constexpr std::size_t greatestCells = std::size_t{ 1 } << 27;
 constexpr std::size_t greatestReferences = std::size_t{ 1 } << 26;
 constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
-constexpr std::size_t sampleSize = 1024;
 constexpr std::size_t primitivesPerReport = 64;
 
 struct Reference
@@ -39,41 +38,26 @@ public:
   /// False as soon as there are more than the limit.
   bool insertAll(const Surface& surface)
   {
-    return this->insertEach(surface, 1) == surface.hittable().size();
-  }
-
-  /// How many references the surface needs, from a sample of its primitives.
-  double estimate(const Surface& surface)
-  {
-    const std::size_t all = surface.hittable().size();
-    const std::size_t done = this->insertEach(surface, all / sampleSize + 1);
-    return static_cast<double>(this->references_.size()) * static_cast<double>(all) /
-      static_cast<double>(std::max<std::size_t>(done, 1));
+    std::size_t done = 0;
+    for (const PrimitiveId id : surface.hittable())
+    {
+      const PrimitiveBoxOverlap overlap(surface, id);
+      this->insert(overlap, id, this->lattice_.slabsOf(overlap.bounds()));
+      if (this->references_.size() > this->limit_)
+      {
+        return false;
+      }
+      if (++done % primitivesPerReport == 0)
+      {
+        this->progress_.advance(primitivesPerReport);
+      }
+    }
+    return true;
   }
 
   [[nodiscard]] const std::vector<Reference>& references() const { return this->references_; }
 
 private:
-  /// Inserts every stride-th primitive until there are more references than the limit; how many
-  /// were inserted.
-  std::size_t insertEach(const Surface& surface, std::size_t stride)
-  {
-    std::size_t done = 0;
-    const std::vector<PrimitiveId>& all = surface.hittable();
-    for (std::size_t i = 0; i < all.size() && this->references_.size() <= this->limit_; i += stride)
-    {
-      const PrimitiveBoxOverlap overlap(surface, all[i]);
-      this->insert(overlap, all[i], this->lattice_.slabsOf(overlap.bounds()));
-      ++done;
-      if (done % primitivesPerReport == 0)
-      {
-        this->progress_.advance(primitivesPerReport);
-      }
-    }
-    // The last one may have been cut short: too few rather than a wrong grid.
-    return this->references_.size() <= this->limit_ ? done : std::min(done, all.size() - 1);
-  }
-
   /// Halves blocks of cells until one cell is left: a large triangle is not tested against every
   /// cell of its box.
   void insert(const PrimitiveBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
@@ -107,6 +91,41 @@ private:
   BuildProgress& progress_;
   std::vector<Reference> references_;
 };
+
+/// References that a surface needs at the very least, but for rounding: seen along an axis, a
+/// triangle covers as many columns of cells as its shadow is larger than one of them, and it is in
+/// a cell of each. Quick: nothing is inserted.
+double leastReferences(const Surface& surface, const std::array<int, 3>& resolution)
+{
+  const Vec3 size = surface.bounds().size();
+  Vec3 perUnit;
+  for (int k = 0; k < 3; ++k)
+  {
+    perUnit[k] = size[k] > 0.0 ? resolution[k] / size[k] : 0.0;
+  }
+  double sum = 0.0;
+  for (const PrimitiveId id : surface.hittable())
+  {
+    double most = 1.0;
+    if (!surface.isQuadric(id))
+    {
+      const auto v = surface.vertices(id);
+      Vec3 a = v[1] - v[0];
+      Vec3 b = v[2] - v[0];
+      for (int k = 0; k < 3; ++k)
+      {
+        a[k] *= perUnit[k];
+        b[k] *= perUnit[k];
+      }
+      for (const double shadow : cross(a, b))
+      {
+        most = std::max(most, 0.5 * std::fabs(shadow));
+      }
+    }
+    sum += most;
+  }
+  return sum;
+}
 
 /// Sorts references by cell; those of one cell keep their order.
 GridCells arrange(GridLattice lattice, const std::vector<Reference>& references)
@@ -152,13 +171,21 @@ GridCells buildAsAsked(
     throw std::invalid_argument(
       "a grid of " + text(resolution) + " cells has more than " + std::to_string(greatestCells));
   }
+  const auto refuse = [&]
+  {
+    throw std::length_error("in a grid of " + text(resolution) +
+      " cells the surface needs more than " + std::to_string(greatestReferences) + " references");
+  };
+  if (leastReferences(surface, resolution) > 1.001 * static_cast<double>(greatestReferences))
+  {
+    refuse();
+  }
   const GridLattice lattice(surface.bounds(), resolution);
   progress.stage(0.5, surface.hittable().size());
   Insertion insertion(lattice, greatestReferences, progress);
   if (!insertion.insertAll(surface))
   {
-    throw std::length_error("in a grid of " + text(resolution) +
-      " cells the surface needs more than " + std::to_string(greatestReferences) + " references");
+    refuse();
   }
   return arrange(lattice, insertion.references());
 }
@@ -173,12 +200,11 @@ GridCells buildAutomatically(const Surface& surface, double density, BuildProgre
   double toDo = 1.0;
   while (true)
   {
-    const GridLattice lattice(
-      surface.bounds(), GridLattice::resolutionFor(surface.bounds(), cells));
+    const std::array<int, 3> resolution = GridLattice::resolutionFor(surface.bounds(), cells);
+    const GridLattice lattice(surface.bounds(), resolution);
     // The number of references grows no faster than that of cells, so this factor does not
     // overshoot.
-    const double excess =
-      Insertion(lattice, limit, progress).estimate(surface) / static_cast<double>(limit);
+    const double excess = leastReferences(surface, resolution) / static_cast<double>(limit);
     if (excess <= 1.0)
     {
       // It nearly always fits the first time.

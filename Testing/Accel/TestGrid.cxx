@@ -161,4 +161,39 @@ TEST(Grid, CellsSteppedAreThoseOnTheWay)
   EXPECT_EQ(cells({ { 5, 2, 0.25 }, { 1, 0, 0 } }), 0u); // passes beside
 }
 
+/// Refused before anything is inserted: the memory and a minute that it would take are not spent.
+TEST(Grid, TooManyReferencesAreRefusedAtOnce)
+{
+  std::vector<std::array<Vec3, 3>> triangles(
+    20000, { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 1 }, Vec3{ 0, 1, 1 } });
+  BuildOptions options = optionsOf(Structure::Grid);
+  options.gridResolution = { 500, 500, 500 };
+  int asked = 0;
+  JobControl control;
+  control.onProgress = [&](double)
+  {
+    ++asked;
+    return true;
+  };
+  EXPECT_THROW((void)build(surfaceOf<float>(triangles), options, &control), std::length_error);
+  EXPECT_EQ(asked, 1);
+}
+
+TEST(Grid, OneHugeTriangleDoesNotSpoilTheGridOfTheOthers)
+{
+  Uniform uniform(5);
+  std::vector<std::array<Vec3, 3>> triangles = { { Vec3{ 0, 0, 5 }, Vec3{ 10, 0, 5 },
+    Vec3{ 0, 10, 6 } } };
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Vec3 p = { uniform(0, 10), uniform(0, 10), uniform(0, 10) };
+    triangles.push_back({ p, p + Vec3{ 0.1, 0, 0.05 }, p + Vec3{ 0, 0.1, 0.05 } });
+  }
+  const auto with = build(surfaceOf<float>(triangles), optionsOf(Structure::Grid));
+  const std::size_t leaves = with->statistics().leaves;
+  triangles.erase(triangles.begin());
+  const auto without = build(surfaceOf<float>(triangles), optionsOf(Structure::Grid));
+  EXPECT_GE(leaves, without->statistics().leaves);
+}
+
 } // namespace
