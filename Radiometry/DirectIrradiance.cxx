@@ -191,6 +191,13 @@ DirectReport directIrradiance(const Receivers& receivers, const std::vector<cons
   {
     throw std::invalid_argument("directIrradiance: one output per source is needed, or none.");
   }
+  if (options.occluders &&
+    std::any_of(
+      sources.begin(), sources.end(), [](const Source* source) { return source->extended(); }))
+  {
+    throw std::invalid_argument("directIrradiance casts one ray to a source; the shadows of an "
+                                "extended one need estimation.");
+  }
   std::optional<ShadowRays> shadowRays;
   if (options.occluders && !options.occluders->surface().hittable().empty())
   {

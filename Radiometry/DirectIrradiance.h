@@ -40,7 +40,8 @@ struct DirectReport
 /// total: one number per receiver, the sum over the sources in their order.
 /// perSource: empty, or one output per source, each null or one number per receiver.
 /// The numbers do not depend on the number of threads. Throws UnsupportedQuery when the occluders
-/// do not support the precision.
+/// do not support the precision, std::invalid_argument where one of the sources is extended and
+/// there are occluders.
 LUMITREE_RADIOMETRY_EXPORT DirectReport directIrradiance(const Receivers& receivers,
   const std::vector<const Source*>& sources, double* total,
   const std::vector<double*>& perSource = {}, const DirectOptions& options = {});

@@ -14,7 +14,11 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include "Radiometry/LuminousEfficacy.h"
 #include "Radiometry/Quantities.h"
+
+#include <limits>
+#include <stdexcept>
 
 namespace
 {
@@ -85,6 +89,28 @@ void vtkLumiLight::AddInteger(vtkPolyData* output, const char* name, int value)
   array->SetName(name);
   array->InsertNextValue(value);
   output->GetFieldData()->AddArray(array);
+}
+
+double vtkLumiLight::LuminousEfficacyOfSpectrum(vtkDataArray* spectrum)
+{
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  if (!spectrum || spectrum->GetNumberOfComponents() != 2)
+  {
+    return undefined;
+  }
+  std::vector<lumitree::SpectralValue> values;
+  for (vtkIdType i = 0; i < spectrum->GetNumberOfTuples(); ++i)
+  {
+    values.push_back({ spectrum->GetComponent(i, 0), spectrum->GetComponent(i, 1) });
+  }
+  try
+  {
+    return lumitree::luminousEfficacy(values);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return undefined;
+  }
 }
 
 std::string vtkLumiLight::FillFrom(vtkInformationVector**, vtkInformation*, vtkPolyData* output)

@@ -23,6 +23,8 @@
 #include <string> // for Problem
 #include <vector> // for AddValues
 
+class vtkDataArray;
+
 namespace lumitree
 {
 enum class Quantity : int;
@@ -69,6 +71,13 @@ public:
   vtkSetMacro(LuminousEfficacy, double);
   vtkGetMacro(LuminousEfficacy, double);
   ///@}
+
+  /**
+   * Luminous efficacy of a spectrum, in lm/W: 683 times its integral weighed by V(lambda) (CIE
+   * 1924) over its integral. The array has two components, wavelength in nm, growing, and any
+   * radiant quantity per wavelength, at least 0; it is linear in between. NaN for anything else.
+   */
+  static double LuminousEfficacyOfSpectrum(vtkDataArray* spectrum);
 
 protected:
   vtkLumiLight();

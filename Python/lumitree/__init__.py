@@ -10,8 +10,10 @@
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
 `accuracy_chart`            speed against accuracy of every structure on a mesh
 `irradiance`                light on a mesh, with shadows and units
-`point_light`,              lights
-`directional_light`
+`point_light`, ...          lights: `spot_light`, `photometric_light` (IES, EULUMDAT), `area_light`,
+                            `sphere_light`, `disk_light`, `rectangle_light`, `tube_light`,
+                            `line_light`, `directional_light`, `sun_light`, `sky_light`
+`luminous_efficacy`         lm/W of a spectrum; `convertible` lets a light stand beside others
 `scene`, `read`, `write`    built-in scenes, files
 `implicit`                  spheres, cylinders and other quadrics without a mesh
 `lumitree.vtk`              the VTK classes beneath
@@ -39,7 +41,22 @@ from .choices import (
 from .errors import LumitreeError, LumitreeWarning
 from .files import read, write
 from .implicit import implicit
-from .lights import directional_light, point_light
+from .lights import (
+    area_light,
+    convertible,
+    directional_light,
+    disk_light,
+    line_light,
+    luminous_efficacy,
+    photometric_light,
+    point_light,
+    rectangle_light,
+    sky_light,
+    sphere_light,
+    spot_light,
+    sun_light,
+    tube_light,
+)
 from .radiometry import Irradiance, irradiance
 from .raycast import Caster, Hits, cast, inside
 from .rayset import rays
@@ -66,17 +83,29 @@ __all__ = [
     "Structure",
     "SurfaceReport",
     "accuracy_chart",
+    "area_light",
     "camera_rays",
     "cast",
+    "convertible",
     "directional_light",
+    "disk_light",
     "hierarchy",
     "implicit",
     "inside",
     "irradiance",
+    "line_light",
+    "luminous_efficacy",
+    "photometric_light",
     "point_light",
     "rays",
     "read",
+    "rectangle_light",
     "scene",
+    "sky_light",
+    "sphere_light",
+    "spot_light",
+    "sun_light",
     "surface_report",
+    "tube_light",
     "write",
 ]

@@ -26,7 +26,7 @@ from .choices import (
 )
 from .errors import LumitreeError, LumitreeWarning
 from .files import READERS, read
-from .lightspec import parse_light, triple
+from .lightspec import FORMS, parse_light, triple
 from .reports import Report, outer_surface
 from .scenes import scene
 from .screen import restart_with_screen, screen_available
@@ -76,9 +76,10 @@ def make_parser() -> argparse.ArgumentParser:
         "--light",
         action="append",
         metavar="LIGHT",
-        help="point:x,y,z:FLUX in W or lm (point:0,0,2:1000lm), or sun:dx,dy,dz:E, the direction "
-        "in which its light travels and the irradiance on a plane facing it, in W/m2 or lx; repeat "
-        "it for more lights (default: a sun of 1000 W/m2 from above, or the scene's own lamp)",
+        help=f"one of {'; '.join(FORMS.values())}. FLUX in W or lm (1000lm), IRRADIANCE in W/m2 or lx: "
+        "of a sun on a plane facing it, of a sky on the horizontal; RADIANCE in W/m2sr or cd/m2; "
+        "directions are those in which light travels; repeat it for more lights (default: a sun of "
+        "1000 W/m2 from above, or the scene's own lamp)",
     )
     light.add_argument(
         "--at", choices=names(ReceiverLocation), default="cells", help="default: %(default)s"

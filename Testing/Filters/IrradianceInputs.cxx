@@ -68,7 +68,7 @@ TEST(IrradianceInputs, LightsThatAreNone)
 TEST(IrradianceInputs, UnknownLightsAreNamed)
 {
   auto light = pointLight({ 0, 0, 2 }, 1.0, "Torch");
-  setText(light, "LightType", "spot");
+  setText(light, "LightType", "laser");
   expectError(light, "\"spot\"");
   expectError(light, "\"Torch\"");
   light = pointLight({ 0, 0, 2 }, 1.0);

@@ -130,13 +130,13 @@ TEST(IrradianceRanks, AWrongLightIsAnErrorEverywhere)
   auto lamps = myLamps();
   if (rank() == 2)
   {
-    setText(lamps[0], "LightType", "spot");
+    setText(lamps[0], "LightType", "laser");
   }
   Irradiance filter(floorOf(rank()), lamps);
   filter->SetController(world);
   filter.run();
   EXPECT_EQ(filter.errors, 1) << filter.text;
-  EXPECT_NE(filter.text.find("spot"), std::string::npos) << filter.text;
+  EXPECT_NE(filter.text.find("laser"), std::string::npos) << filter.text;
 }
 
 TEST(IrradianceRanks, SomethingThatIsNoLightIsAnErrorEverywhere)

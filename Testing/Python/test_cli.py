@@ -98,7 +98,10 @@ def test_help_has_examples():
         (["line.vtp"], "line.vtp holds no surface"),
         (["a.xyz"], "extension 'xyz' is not known"),
         (["scene:box"], "scene is 'box'; choose one of: cornell_box"),
-        (["mesh.vtp", "--light", "lamp"], "light 'lamp' is neither point:x,y,z:flux nor sun"),
+        (["mesh.vtp", "--light", "lamp"], "light 'lamp' is not written as point:x,y,z:FLUX or spot"),
+        (["mesh.vtp", "--light", "sky:blue:100"], "model is 'blue'"),
+        (["mesh.vtp", "--light", "sphere:0,0,1:2"], "is not written as sphere:x,y,z:radius"),
+        (["mesh.vtp", "--light", "ies:none.ies:0,0,2"], "none.ies: the file cannot be opened"),
         (["mesh.vtp", "--light", "point:0,0:1"], "'0,0' is not three numbers"),
         (
             ["mesh.vtp", "--light", "point:0,0,1:3lx"],
