@@ -26,7 +26,8 @@ def properties_of(proxy) -> list:
     iterator.Begin()
     found = []
     while not iterator.IsAtEnd():
-        if not iterator.GetProperty().IsA("vtkSMInputProperty"):
+        prop = iterator.GetProperty()
+        if not prop.IsA("vtkSMInputProperty") and not prop.GetInformationOnly():
             found.append((iterator.GetKey(), iterator.GetProperty()))
         iterator.Next()
     return sorted(found, key=lambda item: item[1].GetPanelVisibility() != "default")

@@ -90,21 +90,20 @@ std::string vtkLumiAreaLight::FillFrom(
   const std::string name = lumitree::arrayName(
     Quantities[this->EmissionQuantity], static_cast<lumitree::LightSystem>(this->System));
   vtkSmartPointer<vtkDataArray> values;
-  if (this->EmissionArray && *this->EmissionArray)
+  const std::string arrayName = this->EmissionArray ? this->EmissionArray : "";
+  if (!arrayName.empty() && arrayName != "None") // which a list of arrays offers
   {
-    vtkDataArray* given = polygons->GetCellData()->GetArray(this->EmissionArray);
+    vtkDataArray* given = polygons->GetCellData()->GetArray(arrayName.c_str());
     if (!given || given->GetNumberOfComponents() != 1)
     {
-      return "The input has no cell array \"" + std::string(this->EmissionArray) +
-        "\" of one component.";
+      return "The input has no cell array \"" + arrayName + "\" of one component.";
     }
     for (vtkIdType i = 0; i < given->GetNumberOfTuples(); ++i)
     {
       const double value = given->GetComponent(i, 0);
       if (!(std::isfinite(value) && value >= 0.0))
       {
-        return "The values of \"" + std::string(this->EmissionArray) +
-          "\" must be finite and not negative.";
+        return "The values of \"" + arrayName + "\" must be finite and not negative.";
       }
     }
     values = vtk::TakeSmartPointer(given->NewInstance());

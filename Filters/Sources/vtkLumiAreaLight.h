@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Cell array of one component with the emission of each cell, instead of Emission. Null or empty,
-   * the default: none.
+   * Cell array of one component with the emission of each cell, instead of Emission. Null (the
+   * default), empty or "None": no array.
    */
   vtkSetStringMacro(EmissionArray);
   vtkGetStringMacro(EmissionArray);

@@ -69,7 +69,7 @@ TEST(IrradianceInputs, UnknownLightsAreNamed)
 {
   auto light = pointLight({ 0, 0, 2 }, 1.0, "Torch");
   setText(light, "LightType", "laser");
-  expectError(light, "\"spot\"");
+  expectError(light, "\"laser\"");
   expectError(light, "\"Torch\"");
   light = pointLight({ 0, 0, 2 }, 1.0);
   setField(light, "LightSchema", { 2.0 });

@@ -118,6 +118,8 @@ for group, proxy_names in PROXIES.items():
         vtk_class = getattr(lumitree.vtk, proxy.GetVTKClassName())
         commands = set()
         for name, prop in properties_of(proxy):
+            if prop.GetInformationOnly():
+                continue
             check_property(proxy_name, name, prop, vtk_class())
             commands.add(prop.GetCommand())
         missing = {name for name in settable(vtk_class) if "Set" + name not in commands}
