@@ -8,8 +8,9 @@ from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterat
 import lumitree.vtk
 from pvtesting import PROXIES, load_plugin
 
-# The values on the page Docs/data-model.md, by the name of the property.
+# The values on the page Docs/data-model.md, by the name of the property; or of a class and its property.
 CHOICES = {
+    "vtkLumiShapeLight.Shape": "Sphere Disk Rectangle Tube Line",
     "Structure": "Auto BruteForce Bvh WideBvh Grid Octree KdTree BspTree Embree Cgal CgalEpick "
     "CgalCartesian",
     "Precision": "Fast Watertight Exact",
@@ -24,7 +25,6 @@ CHOICES = {
     "Falloff": "CosineLobe SmoothSpot",
     "EmissionKind": "Flux AxialIntensity",
     "EmissionQuantity": "Radiance Exitance Flux",
-    "Shape": "Sphere Disk Rectangle Tube Line",
     "LineDistribution": "Lambertian Isotropic",
     "Model": "Uniform CieOvercast CieGeneral AllWeather",
     "LevelQuantity": "ZenithRadiance HorizontalIrradiance",
@@ -61,9 +61,11 @@ def check_choices(name, vtk_object, domain):
     if name == "OutputPointsPrecision":
         assert entries == {0, 1, 2}
         return
-    constants = [getattr(vtk_object, constant) for constant in CHOICES[name].split()]
+    of_class = f"{vtk_object.GetClassName()}.{name}"
+    chosen = CHOICES.get(of_class, CHOICES.get(name))
+    constants = [getattr(vtk_object, constant) for constant in chosen.split()]
     assert constants == list(range(len(constants))), f"{name}: {constants}"
-    if name == "Shape":
+    if name == "Shape" and of_class not in CHOICES:
         entries |= set(constants[6:])  # at points there are only those with a place
     assert entries == set(constants), f"{name}: {entries}"
 
