@@ -3,6 +3,8 @@
 #ifndef Lumitree_Filters_Rays_LumiCast_h
 #define Lumitree_Filters_Rays_LumiCast_h
 
+#include "LumitreeFiltersRaysModule.h"
+
 #include "Accel/Accelerator.h"
 
 #include "vtkType.h"
@@ -48,7 +50,7 @@ private:
 };
 
 /// What a batch of rays met, in one form for all queries.
-class Cast
+class LUMITREEFILTERSRAYS_EXPORT Cast
 {
 public:
   /// Asks the accelerator; throws what it throws.

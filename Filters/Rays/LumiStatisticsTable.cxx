@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LumiStatisticsTable.h"
 
-#include "Accel/EndPointOverlap.h"
+#include "LumiRow.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
+#include "Accel/EndPointOverlap.h"
 
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <string_view>
 
 namespace lumitree::filters
@@ -19,43 +15,6 @@ namespace lumitree::filters
 
 namespace
 {
-
-/// A table of one row, or of none, a column at a time.
-class Row
-{
-public:
-  Row(vtkTable* table, bool present)
-    : table_(table)
-    , present_(present)
-  {
-  }
-
-  void add(const char* name, std::string_view value)
-  {
-    this->addColumn<vtkStringArray>(name, std::string(value));
-  }
-  void add(const char* name, std::uint64_t value)
-  {
-    this->addColumn<vtkIdTypeArray>(name, static_cast<vtkIdType>(value));
-  }
-  void add(const char* name, double value) { this->addColumn<vtkDoubleArray>(name, value); }
-
-private:
-  template <class Array, class Value>
-  void addColumn(const char* name, const Value& value)
-  {
-    vtkNew<Array> column;
-    column->SetName(name);
-    if (this->present_)
-    {
-      column->InsertNextValue(value);
-    }
-    this->table_->AddColumn(column);
-  }
-
-  vtkTable* table_;
-  bool present_;
-};
 
 /// What the heuristic expects of a ray that enters the root, as it was: interior nodes entered and
 /// primitives tested. NaN when no ray has entered it.

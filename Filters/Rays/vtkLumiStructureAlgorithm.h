@@ -68,7 +68,10 @@ public:
   enum BvhBuilds
   {
     LongestAxisMedian = 0, ///< longest axis, object in the middle
-    BinnedSah = 1          ///< surface-area heuristic over bins
+    BinnedSah = 1,         ///< surface-area heuristic over bins
+    SweepSah = 2,          ///< the same over every division
+    SpatialSplits = 3,     ///< the same, and triangles may be split between two nodes
+    Morton = 4             ///< along a space-filling curve: the quickest to build
   };
 
   /**
@@ -100,7 +103,7 @@ public:
   /**
    * How a bounding volume hierarchy is split, one of BvhBuilds. Default BinnedSah.
    */
-  vtkSetClampMacro(BvhBuild, int, LongestAxisMedian, BinnedSah);
+  vtkSetClampMacro(BvhBuild, int, LongestAxisMedian, Morton);
   vtkGetMacro(BvhBuild, int);
   ///@}
 
@@ -132,7 +135,7 @@ public:
   ///@{
   /**
    * Grid: cells per primitive when GridResolution is automatic. Above 0, at most 1000; anything
-   * else is an error when the grid is built. Default 0.5.
+   * else is an error. Default 0.5.
    */
   vtkSetMacro(GridDensity, double);
   vtkGetMacro(GridDensity, double);
@@ -141,7 +144,7 @@ public:
   ///@{
   /**
    * Grid: cells along x, y and z, each from 1 to 2^20; 0, 0, 0 means automatic, by GridDensity.
-   * Anything else is an error when the grid is built. Default 0, 0, 0.
+   * Anything else is an error. Default 0, 0, 0.
    */
   vtkSetVector3Macro(GridResolution, int);
   vtkGetVector3Macro(GridResolution, int);

@@ -57,7 +57,7 @@ public:
     : surface_(surface)
     , same_(mergedPoints(surface, mergePoints))
   {
-    this->result_.defects.assign(surface.triangleCount(), Defect::None);
+    this->result_.defects.assign(surface.triangleCount(), Defect::Sound);
     this->result_.components.assign(surface.triangleCount(), -1);
     this->result_.boundary.assign(surface.pointCount(), 0);
     this->result_.nonManifold.assign(surface.pointCount(), 0);
@@ -210,7 +210,7 @@ private:
   void mark(std::uint32_t face, Defect defect)
   {
     Defect& known = this->result_.defects[this->faces_[face].primitive];
-    known = known == Defect::None ? defect : known;
+    known = known == Defect::Sound ? defect : known;
   }
 
   void countEdges(const EdgeTable& table)

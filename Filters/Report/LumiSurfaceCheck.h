@@ -16,7 +16,7 @@ namespace lumitree::filters
 /// array Defect (Docs/data-model.md).
 enum class Defect : int
 {
-  None = 0,
+  Sound = 0,
   NonFinite = 1,  ///< a coordinate is not finite: never hit
   Degenerate = 2, ///< zero area, decided exactly: never hit
   Duplicate = 3,  ///< the same three points as an earlier triangle

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lumitree: rays and light for VTK and ParaView, from numpy and to numpy.
 
-=========================== ===============================================================
-`cast`, `Caster`, `Hits`    rays against a mesh: nearest hits, all hits, counts, occlusion
+=========================== ========================================================`cast`, `Caster`, `Hits`    rays against a mesh: nearest hits, all hits, counts, occlusion
 `inside`                    whether points lie inside a closed mesh
 `camera_rays`, `rays`       sets of rays as VTK data sets
 `hierarchy`                 the tree over a mesh, as boxes and statistics
+`compare_structures`        structures side by side, for the same rays
+`disagreements`             the rays on which two back ends differ
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
 `accuracy_chart`            speed against accuracy of every structure on a mesh
 `irradiance`                light on a mesh, with shadows and units
@@ -17,8 +18,7 @@
 `scene`, `read`, `write`    built-in scenes, files
 `implicit`                  spheres, cylinders and other quadrics without a mesh
 `lumitree.vtk`              the VTK classes beneath
-=========================== ===============================================================
-
+=========================== ========================================================
 Meshes are data sets of VTK or PyVista, composites of them, ``(points, triangles)`` of numpy, or
 files' names. What VTK reports as an error is raised as `LumitreeError`; a wrong argument is a
 `ValueError`. ``python3 -m lumitree --help`` tells of the command line.
@@ -37,7 +37,9 @@ from .choices import (
     Scene,
     Shape,
     Structure,
+    Sweep,
 )
+from .comparison import Disagreements, compare_structures, disagreements
 from .errors import LumitreeError, LumitreeWarning
 from .files import read, write
 from .implicit import implicit
@@ -67,6 +69,7 @@ from .trees import Hierarchy, hierarchy
 __all__ = [
     "BvhBuild",
     "Caster",
+    "Disagreements",
     "Hierarchy",
     "Hits",
     "Irradiance",
@@ -82,12 +85,15 @@ __all__ = [
     "Shape",
     "Structure",
     "SurfaceReport",
+    "Sweep",
     "accuracy_chart",
     "area_light",
     "camera_rays",
     "cast",
+    "compare_structures",
     "convertible",
     "directional_light",
+    "disagreements",
     "disk_light",
     "hierarchy",
     "implicit",

@@ -83,3 +83,16 @@ def first_row(table: vtkTable) -> dict[str, str | int | float]:
             plain = value.ToLongLong()
         row[table.GetColumnName(column)] = plain
     return row
+
+
+def columns(table: vtkTable) -> dict[str, np.ndarray | list[str]]:
+    """The columns of a table by their names: numpy arrays, and lists of strings."""
+    found: dict[str, np.ndarray | list[str]] = {}
+    for i in range(table.GetNumberOfColumns()):
+        column = table.GetColumn(i)
+        found[column.GetName()] = (
+            vtk_to_numpy(column).copy()
+            if isinstance(column, vtkDataArray)
+            else [column.GetValue(row) for row in range(column.GetNumberOfValues())]
+        )
+    return found

@@ -42,6 +42,9 @@ class BvhBuild(IntEnum):
 
     LONGEST_AXIS_MEDIAN = 0
     BINNED_SAH = 1
+    SWEEP_SAH = 2
+    SPATIAL_SPLITS = 3
+    MORTON = 4
 
 
 class KdBuild(IntEnum):
@@ -60,6 +63,14 @@ class Query(IntEnum):
     COUNT = 3
     CROSSINGS = 4
     TIES = 5
+
+
+class Sweep(IntEnum):
+    """What changes from row to row of a comparison."""
+
+    ALL_STRUCTURES = 0
+    GRID_CELLS = 1
+    LEAF_SIZES = 2
 
 
 class LengthUnit(IntEnum):

@@ -115,7 +115,8 @@ class Caster:
         error.
     precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``. None: exact for
         what only that answers (``crossings``, `rounded_t`), else fast.
-    bvh_build : ``"binned_sah"`` or ``"longest_axis_median"``.
+    bvh_build : ``"binned_sah"``, ``"longest_axis_median"``, ``"sweep_sah"``, ``"spatial_splits"`` or
+        ``"morton"``.
     kd_build : ``"sah"`` or ``"spatial_median"``.
     leaf_size : a tree's nodes with more primitives than this are split; 1 to 1024.
     max_depth : a tree's nodes as deep as this are leaves; 1 to 64.

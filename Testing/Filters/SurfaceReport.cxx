@@ -178,7 +178,7 @@ TEST_F(SurfaceReport, ADoubledTriangleIsADuplicateAndBreaksParity)
   EXPECT_EQ(value(row, "Duplicate", 0), 1);
   EXPECT_EQ(value(row, "Closed", 0), 1);
   EXPECT_EQ(value(row, "InsideOutsideApplies", 0), 0);
-  EXPECT_EQ(this->defect(0), vtkLumiSurfaceReport::None);
+  EXPECT_EQ(this->defect(0), vtkLumiSurfaceReport::Sound);
   EXPECT_EQ(this->defect(4), vtkLumiSurfaceReport::Duplicate);
 }
 

@@ -14,7 +14,7 @@ CHOICES = {
     "Structure": "Auto BruteForce Bvh WideBvh Grid Octree KdTree BspTree Embree Cgal CgalEpick "
     "CgalCartesian",
     "Precision": "Fast Watertight Exact",
-    "BvhBuild": "LongestAxisMedian BinnedSah",
+    "BvhBuild": "LongestAxisMedian BinnedSah SweepSah SpatialSplits Morton",
     "KdBuild": "SpatialMedian Sah",
     "Query": "Closest Any All Count Crossings Ties",
     "LengthUnit": "Metre Millimetre Centimetre Kilometre Inch Foot",
@@ -34,6 +34,10 @@ CHOICES = {
     "Shape": "Sphere Ellipsoid Cylinder Cone Paraboloid Disc Plane Box Quadric Function",
     "Scene": "CornellBox Teapot City TeapotInStadium RandomCloud Sphere Torus Terrain",
 }
+for other in ("OtherStructure", "ReferenceStructure"):
+    CHOICES[other] = CHOICES["Structure"]
+CHOICES["OtherPrecision"] = CHOICES["Precision"]
+CHOICES["Sweep"] = "AllStructures GridCells LeafSizes"
 # A name has no domain, nor an upper limit that is infinite in C++ and cannot be written in XML.
 WITHOUT_DOMAIN = {"LightName"}
 INFINITE = {"TMax"}

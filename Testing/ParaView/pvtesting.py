@@ -30,6 +30,8 @@ PROXIES = {
         "LumiImplicitSurfaceAtPoints",
         "LumiIrradiance",
         "LumiRayCast",
+        "LumiRayDisagreement",
+        "LumiStructureComparison",
         "LumiSurfaceRays",
         "LumiSurfaceReport",
     ],
