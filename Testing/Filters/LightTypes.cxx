@@ -38,7 +38,6 @@ using namespace sources;
 namespace
 {
 
-
 /// Irradiance of a small horizontal receiver in the origin that looks up; NaN where there is none.
 double irradianceOf(const std::vector<vtkAlgorithm*>& lights, int lengthUnit = 0,
   std::string* problem = nullptr, const char* name = "Irradiance [W/m^2]")
@@ -386,6 +385,27 @@ TEST(LightTypes, BadPropertiesAreOneErrorAndAnEmptyOutput)
   vtkNew<vtkPlaneSource> plane;
   area->SetInputConnection(plane->GetOutputPort());
   check(area, [&] { area->SetEmissionArray("not there"); });
+}
+
+TEST(LightTypes, OnlyPieceZeroHasTheLight)
+{
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkLumiAreaLight> area;
+  area->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkLumiSpotLight> spot;
+  vtkNew<vtkLumiShapeLight> shape;
+  vtkNew<vtkLumiSun> sun;
+  vtkNew<vtkLumiSky> sky;
+  for (vtkLumiLight* light : { static_cast<vtkLumiLight*>(area), static_cast<vtkLumiLight*>(spot),
+         static_cast<vtkLumiLight*>(shape), static_cast<vtkLumiLight*>(sun),
+         static_cast<vtkLumiLight*>(sky) })
+  {
+    light->UpdatePiece(1, 2, 0);
+    EXPECT_EQ(light->GetOutput()->GetNumberOfPoints(), 0) << light->GetClassName();
+    EXPECT_EQ(light->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+    light->UpdatePiece(0, 2, 0);
+    EXPECT_GT(light->GetOutput()->GetNumberOfPoints(), 0) << light->GetClassName();
+  }
 }
 
 TEST(LightTypes, BadDataNameTheLight)
