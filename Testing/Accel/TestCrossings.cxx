@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
+
 using namespace lumitree;
 using namespace lumitree::testing;
 
@@ -382,6 +384,29 @@ TEST(Crossings, TrianglesWithoutAreaDoNotMatter)
         ASSERT_EQ(count % 2, insideBox(origin, { 0, 0, 0 }, { 2, 2, 2 }) ? 1u : 0u);
       }
     }
+  }
+}
+
+TEST(Crossings, TheHostsRoundingDoesNotMatter)
+{
+  const auto surface = closed(data::torus(40, 20, 0.3), 100.0, 0x1p-10, { 1e4, 1e4, 1e4 }, false);
+  const auto tree = build(surface, optionsOf(Structure::WideBvh));
+  const Vec3 origin = { 10100, 10000, 10001 };
+  const Rays rays = raysFrom(*surface, origin, 3000, 2);
+  const auto wanted = crossingsOf(*tree, rays);
+  std::vector<PrimitiveId> wantedNear;
+  const ConvexRegion region = { { { 1, 0.3, 0 }, 13000.7 }, { { -0.1, 0, 1 }, 9000.1 } };
+  tree->overlap(region, wantedNear);
+  EXPECT_FALSE(wantedNear.empty());
+  for (const int mode : { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO })
+  {
+    std::vector<PrimitiveId> near;
+    std::fesetround(mode);
+    const auto counts = crossingsOf(*tree, rays);
+    tree->overlap(region, near);
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(counts, wanted);
+    EXPECT_EQ(near, wantedNear);
   }
 }
 
