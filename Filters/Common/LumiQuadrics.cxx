@@ -54,11 +54,27 @@ vtkDataArray* arrayOf(vtkFieldData* fields, const char* name, int components, vt
   return array;
 }
 
+/// Whether every cell is one of a quadric's: cells that were appended are not.
+bool showsQuadricsOnly(vtkPolyData* data, vtkIdType quadrics)
+{
+  vtkDataArray* const ids = data->GetCellData()->GetArray(quadricIdName);
+  const vtkIdType cells = data->GetNumberOfCells();
+  bool all = cells == 0 || (ids && ids->GetNumberOfTuples() == cells);
+  for (vtkIdType i = 0; all && i < cells; ++i)
+  {
+    const double id = ids->GetComponent(i, 0);
+    all = id >= 0.0 && id < static_cast<double>(quadrics) &&
+      (i >= quadrics || id == static_cast<double>(i));
+  }
+  return all;
+}
+
 /// Cell q must be the vertex q, at the centre of quadric q.
 void checkCells(vtkPolyData* data, const std::vector<Quadric>& quadrics)
 {
-  bool kept = static_cast<std::size_t>(data->GetNumberOfVerts()) == quadrics.size() &&
-    static_cast<std::size_t>(data->GetNumberOfPoints()) >= quadrics.size();
+  const auto known = static_cast<vtkIdType>(quadrics.size());
+  bool kept = data && data->GetNumberOfVerts() == known && data->GetNumberOfPoints() >= known &&
+    showsQuadricsOnly(data, known);
   const vtkNew<vtkIdList> ids;
   for (std::size_t q = 0; kept && q < quadrics.size(); ++q)
   {
@@ -75,8 +91,9 @@ void checkCells(vtkPolyData* data, const std::vector<Quadric>& quadrics)
   }
   if (!kept)
   {
-    throw std::invalid_argument("quadrics and their vertices are not at the same places: another "
-                                "filter has moved, cut or joined them; place them at their source");
+    throw std::invalid_argument(
+      "quadrics whose cells are not those of their source: another filter "
+      "has moved, cut or joined them; group them with other data instead");
   }
 }
 
@@ -84,8 +101,7 @@ void checkCells(vtkPolyData* data, const std::vector<Quadric>& quadrics)
 
 bool holdsQuadrics(vtkDataSet* data)
 {
-  return vtkPolyData::SafeDownCast(data) && data->GetFieldData() &&
-    data->GetFieldData()->HasArray(quadricSchemaName);
+  return data && data->GetFieldData() && data->GetFieldData()->HasArray(quadricSchemaName);
 }
 
 std::vector<Quadric> readQuadrics(vtkDataSet* data)

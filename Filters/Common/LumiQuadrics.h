@@ -29,8 +29,9 @@ namespace lumitree::filters
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT bool holdsQuadrics(vtkDataSet* data);
 
 /// The quadrics of such a dataset. Throws std::invalid_argument for a schema that is not known,
-/// arrays that are missing or of another size, and where vertices are not at the centres: then a
-/// filter has moved or taken away cells without knowing what they stand for.
+/// arrays that are missing or of another size, and where vertices are not at the centres or cells
+/// are no quadric's: then a filter has moved, taken away or added cells without knowing what they
+/// stand for.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::vector<Quadric> readQuadrics(vtkDataSet* data);
 
 /// Appends the definition to the field data. The caller makes cells and points.

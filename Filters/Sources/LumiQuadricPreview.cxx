@@ -127,7 +127,7 @@ void turn(const QuadricForm& form, vtkPolyData* data)
     const Vec3 middle = (1.0 / 3) * (corner[0] + corner[1] + corner[2]);
     if (dot(n, gradientAt(form, middle)) < 0.0)
     {
-      std::reverse(ids->begin(), ids->end());
+      std::reverse(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfIds());
     }
     turned->InsertNextCell(ids);
   }

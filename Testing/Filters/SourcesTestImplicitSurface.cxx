@@ -12,6 +12,7 @@
 #include "vtkLumiScene.h"
 
 #include "vtkBox.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCone.h"
 #include "vtkCylinder.h"
@@ -191,11 +192,17 @@ TEST(ImplicitSurface, AnOutputThatWasChangedIsRefused)
   vtkNew<vtkPolyData> moved;
   moved->DeepCopy(data);
   moved->GetPoints()->SetPoint(0, 1, 0, 0);
-  refused(moved, "another filter has moved");
+  refused(moved, "not those of their source");
   vtkNew<vtkPolyData> withoutVertices;
   withoutVertices->DeepCopy(data);
   withoutVertices->SetVerts(nullptr);
-  refused(withoutVertices, "another filter has moved");
+  refused(withoutVertices, "not those of their source");
+  vtkNew<vtkPolyData> joined; // as Append Geometry leaves it: a cell more, no array for it
+  joined->DeepCopy(data);
+  const vtkIdType corners[] = { 1, 2, 3 };
+  joined->GetPolys()->InsertNextCell(3, corners);
+  joined->GetCellData()->RemoveArray("QuadricId");
+  refused(joined, "not those of their source");
   vtkNew<vtkPolyData> without;
   without->DeepCopy(data);
   without->GetFieldData()->RemoveArray("QuadricCuts");
