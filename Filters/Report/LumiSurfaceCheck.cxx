@@ -179,7 +179,7 @@ public:
       r.boundary[i] = r.boundary[this->same_[i]];
       r.nonManifold[i] = r.nonManifold[this->same_[i]];
     }
-    const bool some = !this->surface_.hittable().empty();
+    const bool some = !this->surface_.hittable().empty() && r.points > 0;
     r.eulerCharacteristic = static_cast<std::int64_t>(r.points) -
       static_cast<std::int64_t>(r.edges) + static_cast<std::int64_t>(this->faces_.size());
     r.closed = some && r.boundaryEdges == 0;

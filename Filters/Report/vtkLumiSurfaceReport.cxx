@@ -101,6 +101,10 @@ int vtkLumiSurfaceReport::RequestData(
   try
   {
     const lumitree::Surface& surface = *this->Impl->Input->surface;
+    if (surface.quadricCount() > 0)
+    {
+      vtkWarningMacro(<< surface.quadricCount() << " bodies that are no triangles are left out.");
+    }
     filters::Job job(this, 0.1, 0.9);
     const filters::SurfaceCheck check = filters::checkSurface(
       surface, this->MergeCoincidentPoints, [&](double done) { return job.report(done); });

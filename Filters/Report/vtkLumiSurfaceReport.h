@@ -25,6 +25,8 @@
  * are walked on half-edges by OpenMesh, which refuses what is not manifold: those triangles are
  * told, and what is left is still walked. A build without OpenMesh answers with one error.
  *
+ * Bodies that are no triangles (of vtkLumiImplicitSurface) are left out, with one warning.
+ *
  * In a run over several ranks the surface is gathered, and rank 0 gives the outputs for all.
  */
 #ifndef vtkLumiSurfaceReport_h

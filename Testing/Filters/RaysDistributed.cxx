@@ -7,6 +7,8 @@
 #include "vtkLumiAccelerationStructure.h"
 #include "vtkLumiImplicitSurface.h"
 #include "vtkLumiRayCast.h"
+#include "vtkLumiRayDisagreement.h"
+#include "vtkLumiStructureComparison.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -195,6 +197,57 @@ TEST(RaysDistributed, AWrongRankLeavesNoHalfStructure)
   EXPECT_EQ(messages.errors, rank() == 1 ? 1 : 0);
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(structure->GetOutputDataObject(0));
   EXPECT_EQ(blocks->GetNumberOfBlocks(), 0u);
+}
+
+TEST(RaysDistributed, CellsTellWhatTheRaysOfAllRanksCost)
+{
+  vtkNew<vtkLumiRayCast> cast;
+  connect(cast.Get());
+  cast->SetStructure(vtkLumiRayCast::BruteForce);
+  cast->CountTraversalOn();
+  Messages messages(cast);
+  cast->Update();
+  vtkCellData* cells = vtkDataSet::SafeDownCast(cast->GetOutputDataObject(2))->GetCellData();
+  ASSERT_EQ(cells->GetNumberOfTuples(), 1); // this rank's triangle
+  EXPECT_EQ(value(cells, "RayTests", 0), 1 + 2 + 3);
+  EXPECT_EQ(value(cells, "RayHits", 0), rank() == 0 ? 1 + 2 + 3 : 0); // the others are behind
+  EXPECT_EQ(value(cells, "LeafReferences", 0), 1);
+  if (rank() == 1)
+  {
+    cast->SetRaysData(wall()); // wrong rays of one rank keep no other waiting
+  }
+  cast->Modified();
+  cast->Update();
+  EXPECT_EQ(messages.errors, rank() == 1 ? 1 : 0);
+}
+
+TEST(RaysDistributed, ComparisonsCountTheRaysOfAllRanks)
+{
+  vtkNew<vtkLumiStructureComparison> comparison;
+  connect(comparison.Get());
+  comparison->SetRepetitions(1);
+  comparison->CountDisagreementsOn();
+  comparison->SetPrecision(vtkLumiStructureComparison::Exact);
+  comparison->Update();
+  auto* table = vtkTable::SafeDownCast(comparison->GetOutputDataObject(0));
+  EXPECT_EQ(table->GetNumberOfColumns(), 21);
+  EXPECT_EQ(table->GetNumberOfRows() > 1, rank() == 0);
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    EXPECT_EQ(value(table->GetRowData(), "Rays", row), 1 + 2 + 3);
+    EXPECT_EQ(value(table->GetRowData(), "HitRays", row), 1 + 2 + 3);
+    EXPECT_EQ(value(table->GetRowData(), "Disagreements", row), 0);
+  }
+
+  vtkNew<vtkLumiRayDisagreement> disagreement;
+  connect(disagreement.Get());
+  disagreement->Update();
+  auto* counts = vtkTable::SafeDownCast(disagreement->GetOutputDataObject(1));
+  EXPECT_EQ(counts->GetNumberOfRows(), rank() == 0 ? 1 : 0);
+  if (rank() == 0)
+  {
+    EXPECT_EQ(value(counts->GetRowData(), "Agree", 0), 1 + 2 + 3);
+  }
 }
 
 int main(int argc, char** argv)
