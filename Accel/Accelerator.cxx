@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Accelerator.h"
 
+#include "Accel/AutoChoice.h"
 #include "Accel/FloatEnvironment.h"
 #include "Accel/Kernel/OverlapIndex.h"
 #include "Accel/Registry.h"
@@ -18,14 +19,6 @@ namespace
 {
   throw UnsupportedQuery("structure '" + std::string(name(accelerator.options().structure)) +
     "' does not answer the query '" + std::string(name(query)) + "'");
-}
-
-/// Below this many primitives a tree costs more than it saves.
-constexpr std::size_t bruteForceLimit = 8;
-
-Structure choose(const Surface& surface)
-{
-  return surface.hittable().size() <= bruteForceLimit ? Structure::BruteForce : Structure::WideBvh;
 }
 
 void checkRange(const char* what, int value, int low, int high)
@@ -100,15 +93,29 @@ std::shared_ptr<const Accelerator> build(
   checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
   checkRange("KD-tree build", static_cast<int>(asked.kdBuild), 0, kdBuildCount - 1);
   checkGrid(asked);
+  if (!(asked.expectedRays >= 0.0))
+  {
+    throw std::invalid_argument("the number of rays expected must not be negative");
+  }
   // Builders compare and convert coordinates: with subnormals flushed they would enclose other
   // numbers.
   const FloatEnvironment environment;
   BuildOptions options = asked;
+  std::string reason;
   if (options.structure == Structure::Auto)
   {
-    options.structure = choose(*surface);
+    AutoReport report = chooseStructure(*surface, options);
+    options = report.choice;
+    reason = std::move(report.reason);
   }
-  return Registry::instance().find(options.structure).build(std::move(surface), options, control);
+  std::shared_ptr<const Accelerator> built =
+    Registry::instance().find(options.structure).build(std::move(surface), options, control);
+  if (!reason.empty())
+  {
+    // Nobody else has seen it yet.
+    const_cast<Accelerator&>(*built).statistics_.choice = std::move(reason);
+  }
+  return built;
 }
 
 } // namespace lumitree

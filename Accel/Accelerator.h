@@ -116,15 +116,19 @@ protected:
   BuildOptions options_;
 
 private:
+  friend LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> build(
+    std::shared_ptr<const Surface>, const BuildOptions&, JobControl*);
+
   std::shared_ptr<const Surface> surface_;
   mutable std::once_flag overlapOnce_;
   mutable std::unique_ptr<const OverlapIndex> overlapIndex_;
 };
 
-/// Builds what the options ask for through the registry of back ends; never null. Throws
-/// std::invalid_argument for options out of range, UnknownStructure (Registry.h) for a structure
-/// that this build lacks, and BuildStopped when control was told to stop. Progress is told on the
-/// calling thread, rising from 0 to 1; after an exception nothing is left of the build.
+/// Builds what the options ask for (for Auto what chooseStructure of AutoChoice.h says) through the
+/// registry of back ends; never null. Throws std::invalid_argument for options out of range,
+/// UnknownStructure (Registry.h) for a structure that this build lacks, and BuildStopped when
+/// control was told to stop. Progress is told on the calling thread, rising from 0 to 1; after an
+/// exception nothing is left of the build.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> build(
   std::shared_ptr<const Surface> surface, const BuildOptions& options = {},
   JobControl* control = nullptr);

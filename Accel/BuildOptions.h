@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace lumitree
 {
@@ -29,6 +30,9 @@ struct BuildOptions
     0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
   bool embreeRobust =
     true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
+  /// Auto: rays that will be cast at the structure over its life; 0: not known, ten per primitive
+  /// and a million at least are reckoned with. Of no consequence, and not compared, elsewhere.
+  double expectedRays = 0.0;
   /// Threads to build with; 0: as many as oneTBB gives. What is built does not depend on it, and
   /// options that differ in it only are equal.
   int threads = 0;
@@ -37,7 +41,8 @@ struct BuildOptions
   {
     return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.kdBuild == b.kdBuild &&
       a.leafSize == b.leafSize && a.maxDepth == b.maxDepth && a.gridDensity == b.gridDensity &&
-      a.gridResolution == b.gridResolution && a.embreeRobust == b.embreeRobust;
+      a.gridResolution == b.gridResolution && a.embreeRobust == b.embreeRobust &&
+      (a.structure != Structure::Auto || a.expectedRays == b.expectedRays);
   }
 };
 
@@ -54,6 +59,7 @@ struct BuildStatistics
     0.0; ///< references / primitives that can be hit; 1 where nothing is held twice
   std::size_t memory = 0; ///< bytes of the structure, the surface not included
   double buildSeconds = 0.0;
+  std::string choice; ///< why Auto chose the structure; empty where it was asked for by name
 };
 
 } // namespace lumitree

@@ -83,6 +83,7 @@ void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& vi
                                 : 0.0);
   row.add("Quadrics", std::uint64_t{ surface.quadricCount() });
   row.add("SkippedEmptyQuadrics", std::uint64_t{ surface.emptyQuadricCount() });
+  row.add("Choice", std::string_view(built.choice));
 }
 
 void makeCastTable(

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Names, the registry of back ends, and what Auto chooses.
+#include "Accel/AutoChoice.h"
 #include "Accel/Registry.h"
 #include "TestHelpers.h"
 
@@ -140,6 +141,92 @@ TEST(Registry, AutoBuildsSomethingAndSaysWhat)
   }
   EXPECT_EQ(build(surfaceOf<float>(oneTriangle))->options().structure, Structure::BruteForce);
   EXPECT_NE(build(surfaceOf<float>(data::sphere(10)))->options().structure, Structure::BruteForce);
+}
+
+TEST(Auto, ModelsNoMoreThanASceneNeeds)
+{
+  const auto few = build(surfaceOf<float>(std::vector<std::array<Vec3, 3>>(10, oneTriangle[0])));
+  EXPECT_EQ(few->options().structure, Structure::BruteForce);
+  EXPECT_NE(few->statistics().choice.find("10 primitives"), std::string::npos);
+  EXPECT_TRUE(
+    build(surfaceOf<float>(oneTriangle), optionsOf(Structure::Bvh))->statistics().choice.empty());
+}
+
+TEST(Auto, GoesByTheNumberOfRays)
+{
+  const auto surface = surfaceOf<float>(data::teapot(12));
+  BuildOptions options;
+  options.expectedRays = 1;
+  EXPECT_EQ(chooseStructure(*surface, options).choice.structure, Structure::BruteForce);
+  options.expectedRays = 1000;
+  EXPECT_EQ(chooseStructure(*surface, options).choice.structure, Structure::WideBvh);
+  EXPECT_EQ(chooseStructure(*surface, options).choice.bvhBuild, BvhBuild::Morton);
+  options.expectedRays = 1e9;
+  const AutoReport many = chooseStructure(*surface, options);
+  EXPECT_EQ(many.choice.structure, Structure::WideBvh);
+  EXPECT_NE(many.choice.bvhBuild, BvhBuild::Morton);
+  EXPECT_EQ(many.rays, 1e9);
+  options.expectedRays = std::nan("");
+  EXPECT_THROW((void)build(surface, options), std::invalid_argument);
+  options.expectedRays = -1;
+  EXPECT_THROW((void)build(surface, options), std::invalid_argument);
+}
+
+TEST(Auto, TellsEveryAlternative)
+{
+  const AutoReport report = chooseStructure(*surfaceOf<double>(data::city(4)));
+  std::set<Structure> structures;
+  for (std::size_t i = 0; i < report.estimates.size(); ++i)
+  {
+    const AutoEstimate& e = report.estimates[i];
+    structures.insert(e.structure);
+    EXPECT_GT(e.buildSeconds, 0.0);
+    EXPECT_GT(e.raySeconds, 0.0);
+    EXPECT_TRUE(i == 0 ||
+      e.buildSeconds + e.raySeconds >=
+        report.estimates[i - 1].buildSeconds + report.estimates[i - 1].raySeconds);
+  }
+  for (const BuildOptions& own : ownStructures())
+  {
+    EXPECT_EQ(structures.count(own.structure), 1u) << label(own);
+  }
+  EXPECT_GT(report.measures.depth, 1.0);
+  EXPECT_GT(report.measures.fill, 0.0);
+  EXPECT_LT(report.measures.fill, 1.0);
+  EXPECT_GE(report.measures.aspect, 1.0);
+}
+
+TEST(Auto, TriesSpatialSplitsWhereLargeTrianglesAreAmongSmallOnes)
+{
+  Uniform uniform(3);
+  std::vector<std::array<Vec3, 3>> triangles;
+  for (int i = 0; i < 4000; ++i)
+  {
+    std::array<Vec3, 3> t;
+    const Vec3 p = { uniform(0, 10), uniform(0, 10), uniform(0, 10) };
+    for (Vec3& corner : t)
+    {
+      const double size = i % 20 == 0 ? 8.0 : 0.1;
+      corner = p + Vec3{ uniform(-size, size), uniform(-size, size), uniform(-size, size) };
+    }
+    triangles.push_back(t);
+  }
+  EXPECT_EQ(chooseStructure(*surfaceOf<float>(triangles)).choice.bvhBuild, BvhBuild::SpatialSplits);
+  EXPECT_EQ(
+    chooseStructure(*surfaceOf<float>(data::teapot(6))).choice.bvhBuild, BvhBuild::BinnedSah);
+}
+
+TEST(Auto, TakesScenesOfAnyKind)
+{
+  for (const auto& surface : { surfaceOf<double>(std::vector<std::array<Vec3, 3>>{}),
+         surfaceOf<double>(data::terrain(4, 1, 0.0)), surfaceOf<float>(data::sphere(6)) })
+  {
+    const AutoReport report = chooseStructure(*surface);
+    EXPECT_FALSE(report.reason.empty());
+    EXPECT_FALSE(std::isnan(report.measures.depth));
+    EXPECT_FALSE(std::isnan(report.measures.largeEmpty));
+    EXPECT_TRUE(build(surface));
+  }
 }
 
 TEST(Registry, OptionsAreKeptAsAsked)

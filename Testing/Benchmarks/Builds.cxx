@@ -117,7 +117,7 @@ double traced(const Accelerator& accelerator, const Rays& rays)
     accelerator.closest(rays.batch(), hits.data(), query);
     best = std::min(best, now(true) - start);
   }
-  return 1e9 * best / static_cast<double>(rays.size());
+  return rays.size() == 0 ? 0.0 : 1e9 * best / static_cast<double>(rays.size());
 }
 
 Scene chosen(const std::string& name)

@@ -61,7 +61,7 @@ TEST(Cache, ThreeUsersHoldOneTree)
 
 TEST(Cache, OtherOptionsShareTheSurface)
 {
-  const auto data = squares(3);
+  const auto data = squares(12); // more than Auto leaves to brute force
   const std::uint64_t before = treeBuilds();
   const auto tree = treeOf(data);
   const auto brute = treeOf(data, bruteForce());
