@@ -34,8 +34,8 @@ double angleBetween(const Vec3& a, const Vec3& b)
 template <class Function>
 double integrateRoots(double a, double b, double tolerance, const Function& f)
 {
-  return integrateAdaptively<10>(
-    0.0, 0.5 * pi, tolerance,
+  return integrateTo<10>(
+    tolerance, 0.0, 0.5 * pi,
     [&](double t)
     {
       const double sine = std::sin(t);
@@ -43,6 +43,10 @@ double integrateRoots(double a, double b, double tolerance, const Function& f)
     },
     6);
 }
+
+// Absolute: of sky and of a ring of it, whose relative radiances are of the order of 1.
+constexpr double skyTolerance = 5e-11;
+constexpr double ringTolerance = 1e-12;
 
 struct Remembered
 {
@@ -218,8 +222,8 @@ double GeneralSky::overSky(const Kernel& kernel, const Vec3* normal) const
       if (cuts[i] < cuts[i + 1] && dot(middle, this->up()) > 0.0 &&
         (!normal || dot(middle, *normal) > 0.0))
       {
-        sum += integrateAdaptively<8>(
-          cuts[i], cuts[i + 1], 1e-11,
+        sum += integrateTo<8>(
+          ringTolerance, cuts[i], cuts[i + 1],
           [&](double psi)
           {
             const Vec3 w = at(psi);
@@ -236,7 +240,7 @@ double GeneralSky::overSky(const Kernel& kernel, const Vec3* normal) const
   {
     if (marks[i + 1] - marks[i] > 1e-14)
     {
-      sum += integrateRoots(marks[i], marks[i + 1], 1e-10, ring);
+      sum += integrateRoots(marks[i], marks[i + 1], skyTolerance, ring);
     }
   }
   return sum;

@@ -46,8 +46,9 @@ private:
 };
 
 /// A sky with a gradation towards the horizon and a corona around the sun: the CIE general skies,
-/// and the all-weather sky. Irradiance by quadrature in rings around the sun, to about 1e-11; the
-/// last normals asked for are remembered, as receivers on one face share theirs.
+/// and the all-weather sky. Irradiance by quadrature in rings around the sun, to about 1e-11, which
+/// takes some milliseconds under a clear sky; the last normals asked for are remembered, as receivers
+/// on one face share theirs.
 class LUMITREE_RADIOMETRY_EXPORT GeneralSky : public SkySource
 {
 public:

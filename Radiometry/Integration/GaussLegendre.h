@@ -65,21 +65,35 @@ double integrate(double a, double b, const Function& f)
   return half * sum;
 }
 
-/// The same, halving the interval where two halves differ from the whole by more than tolerance
-/// times their size; at most so many times.
+/// The same of a known first estimate, halving the interval where two halves differ from the whole
+/// by more than the tolerance, absolute; at most so many times.
+template <int N, class Function>
+double refine(double a, double b, double whole, double tolerance, const Function& f, int depth)
+{
+  const double middle = 0.5 * (a + b);
+  const double left = integrate<N>(a, middle, f);
+  const double right = integrate<N>(middle, b, f);
+  if (depth == 0 || std::fabs(left + right - whole) <= tolerance)
+  {
+    return left + right;
+  }
+  return refine<N>(a, middle, left, 0.5 * tolerance, f, depth - 1) +
+    refine<N>(middle, b, right, 0.5 * tolerance, f, depth - 1);
+}
+
+/// ∫ f from a to b to a tolerance, absolute.
+template <int N, class Function>
+double integrateTo(double tolerance, double a, double b, const Function& f, int depth = 20)
+{
+  return refine<N>(a, b, integrate<N>(a, b, f), tolerance, f, depth);
+}
+
+/// The same to a tolerance relative to the integral, which is of one sign.
 template <int N, class Function>
 double integrateAdaptively(double a, double b, double tolerance, const Function& f, int depth = 20)
 {
   const double whole = integrate<N>(a, b, f);
-  const double middle = 0.5 * (a + b);
-  const double left = integrate<N>(a, middle, f);
-  const double right = integrate<N>(middle, b, f);
-  if (depth == 0 || std::fabs(left + right - whole) <= tolerance * std::fabs(left + right))
-  {
-    return left + right;
-  }
-  return integrateAdaptively<N>(a, middle, tolerance, f, depth - 1) +
-    integrateAdaptively<N>(middle, b, tolerance, f, depth - 1);
+  return refine<N>(a, b, whole, tolerance * std::fabs(whole), f, depth);
 }
 
 } // namespace lumitree
