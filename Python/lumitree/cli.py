@@ -31,6 +31,7 @@ from .reports import Report, outer_surface
 from .scenes import scene
 from .screen import restart_with_screen, screen_available
 from .stages import DIRECTIONS, Stage, in_the_open, stage_of
+from .surfacereport import surface_report
 
 #: Formats in which y points up.
 Y_UP = (".obj", ".gltf", ".glb")
@@ -100,6 +101,11 @@ def make_parser() -> argparse.ArgumentParser:
     )
     tree.add_argument(
         "--bvh-build", choices=names(BvhBuild), default="binned_sah", help="default: %(default)s"
+    )
+    tree.add_argument(
+        "--compare",
+        action="store_true",
+        help="also cast the rays at every other structure, and tell what they cost there",
     )
     tree.add_argument(
         "--kd-build", choices=names(KdBuild), default="sah", help="default: %(default)s"
@@ -201,9 +207,11 @@ def _run(options: argparse.Namespace) -> None:
         grid_resolution=_resolution(options.grid_resolution),
         threads=options.threads,
     )
-    print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells")
+    print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells{_verdict(surface)}")
     print("hierarchy  ", report.hierarchy())
     print("rays       ", report.cost(size))
+    if options.compare:
+        print("structures", *report.compare(size), sep="\n  ")
     if points:
         print("points     ", report.sides(points))
     lights = lights or [parse_light(stage.light or sun)]
@@ -224,6 +232,13 @@ def _load(options: argparse.Namespace) -> tuple[vtkPolyData, Stage]:
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
         raise LumitreeError(f"{options.mesh} holds no surface, only points or lines")
     return surface, Stage()
+
+
+def _verdict(surface: vtkPolyData) -> str:
+    try:
+        return f"; {surface_report(surface).facts['Verdict']}"
+    except LumitreeError:  # a build without OpenMesh has no verdict
+        return ""
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -12,12 +12,13 @@ from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 
 from .arrays import from_vtk
 from .camera import View, camera_rays
+from .comparison import compare_structures
 from .errors import run
 from .files import write
 from .progress import progress_bar
@@ -80,13 +81,36 @@ class Report:
             f"built in {facts['BuildSeconds'] * 1e3:.3g} ms"
         )
 
+    def _camera(self, size: tuple[int, int]) -> vtkImageData:
+        view = self.view
+        return camera_rays(
+            view.eye, view.target, up=view.up, angle=view.angle, near=view.near, size=size
+        )
+
+    def compare(self, size: tuple[int, int]) -> list[str]:
+        """Casts the rays of a camera of that many pixels at every structure. Returns a line about
+        each."""
+        with progress_bar("structures") as progress:
+            table = compare_structures(
+                self.surface,
+                self._camera(size),
+                precision=self.precision,
+                repetitions=1,
+                progress=progress,
+                **{**self._tree_options, "structure": "auto"},
+            )
+        return [
+            f"{structure:9} {table['TestsPerRay'][i]:9.4g} triangles tested, "
+            f"{table['NodesPerRay'][i] + table['CellsPerRay'][i]:7.4g} nodes and cells a ray; "
+            f"{table['MemoryBytes'][i] / 1e6:.3g} MB, built in "
+            f"{table['BuildSeconds'][i] * 1e3:.3g} ms, {table['RaysPerSecond'][i] / 1e6:.3g} million rays/s"
+            for i, structure in enumerate(table["Structure"])
+        ]
+
     def cost(self, size: tuple[int, int]) -> str:
         """Casts the rays of a camera of that many pixels; writes cost.vti, hits.vtp, and cost.png.
         Returns a line about them."""
-        view = self.view
-        camera = camera_rays(
-            view.eye, view.target, up=view.up, angle=view.angle, near=view.near, size=size
-        )
+        camera = self._camera(size)
         with progress_bar("rays") as progress:
             start = time.perf_counter()
             self._caster.cast(camera)

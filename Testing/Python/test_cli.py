@@ -75,6 +75,13 @@ def test_a_built_in_scene(in_tmp):
     assert "W received in all" in done.stdout
 
 
+def test_structures_side_by_side(in_tmp, mesh):
+    done = run(mesh, "--size", "16x12", "--no-pictures", "--compare")
+    assert "structures" in done.stdout and "rays/s" in done.stdout
+    for structure in ("bvh", "grid", "kd_tree"):
+        assert f"\n  {structure}" in done.stdout
+
+
 def test_help_has_examples():
     done = run("--help")
     for word in (
