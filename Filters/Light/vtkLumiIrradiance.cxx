@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLumiIrradiance.h"
 
+#include "LumiGather.h"
 #include "LumiIllumination.h"
 #include "LumiJob.h"
+#include "LumiLeafCopies.h"
 #include "LumiPorts.h"
 #include "LumiSettings.h"
 #include "LumiUnits.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkCommunicator.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,7 +23,11 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
+#include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 
@@ -45,40 +51,15 @@ int Ranks(vtkLumiIrradiance* self)
   return self->GetController() ? self->GetController()->GetNumberOfProcesses() : 1;
 }
 
-/// A dataset to be lit: a shallow copy of the receivers, already in the output.
-struct Leaf
-{
-  vtkSmartPointer<vtkDataSet> Data;
-  std::int64_t CompositeIndex = 0;
-};
+using Leaf = filters::LeafCopy;
 
-/// Copies the receivers to the output, all but their values, and lists their datasets.
-std::vector<Leaf> CopyReceivers(vtkDataObject* input, vtkDataObject* output)
+/// A number in the field data.
+void AddNumber(vtkFieldData* fields, const std::string& name, double value)
 {
-  std::vector<Leaf> leaves;
-  auto* from = vtkCompositeDataSet::SafeDownCast(input);
-  if (!from)
-  {
-    output->ShallowCopy(input);
-    leaves.push_back({ vtkDataSet::SafeDownCast(output), 0 });
-    return leaves;
-  }
-  auto* to = vtkCompositeDataSet::SafeDownCast(output);
-  to->CopyStructure(from);
-  to->GetFieldData()->PassData(from->GetFieldData());
-  const auto iterator = vtk::TakeSmartPointer(from->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkDataObject* object = iterator->GetCurrentDataObject();
-    const auto copy = vtk::TakeSmartPointer(object->NewInstance());
-    copy->ShallowCopy(object);
-    to->SetDataSet(iterator, copy);
-    if (auto* data = vtkDataSet::SafeDownCast(copy))
-    {
-      leaves.push_back({ data, static_cast<std::int64_t>(iterator->GetCurrentFlatIndex()) });
-    }
-  }
-  return leaves;
+  const vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(value);
+  fields->AddArray(array);
 }
 
 } // namespace
@@ -101,7 +82,12 @@ struct vtkLumiIrradiance::Internals
       inputs[2], filters::metresPerUnit(self->LengthUnit), self->GetController());
     light.location = static_cast<filters::ReceiverLocation>(self->ReceiverLocation);
     light.precision = static_cast<lumitree::Precision>(self->GetPrecision());
-    light.perLight = self->PerLightArrays;
+    light.arrays = { self->PerLightArrays, self->TwoSided, self->ScalarIrradiance,
+      self->LightVector, self->CylindricalIrradiance, self->HemisphericalIrradiance,
+      self->EstimateArrays, self->ShadowMasks };
+    light.relativeTolerance = self->RelativeTolerance;
+    light.absoluteTolerance = self->AbsoluteTolerance;
+    light.maximumRays = static_cast<std::uint32_t>(self->MaximumRays);
     light.threads = filters::threadsFor(self->GetNumberOfThreads());
     if (self->Shadows)
     {
@@ -120,6 +106,56 @@ struct vtkLumiIrradiance::Internals
     return inputs[1]->GetNumberOfInformationObjects() == 0;
   }
 
+  /// Writes what holds for all receivers, of all ranks, to the field data. Collective.
+  void Summarise(vtkLumiIrradiance* self, const filters::Illumination& light,
+    filters::IlluminationStatistics statistics, lumitree::Quantity quantity,
+    const std::vector<Leaf>& leaves)
+  {
+    vtkMultiProcessController* controller = self->GetController();
+    if (filters::isDistributed(controller))
+    {
+      const double sums[2] = { statistics.sum, static_cast<double>(statistics.count) };
+      const double ends[2] = { -statistics.minimum, statistics.maximum };
+      double allSums[2];
+      double allEnds[2];
+      controller->AllReduce(sums, allSums, 2, vtkCommunicator::SUM_OP);
+      controller->AllReduce(ends, allEnds, 2, vtkCommunicator::MAX_OP);
+      statistics = { static_cast<std::uint64_t>(allSums[1]), allSums[0], -allEnds[0], allEnds[1] };
+    }
+    const lumitree::QuantityName q = lumitree::describe(quantity, light.lights.system);
+    const auto name = [&](const std::string& what)
+    { return filters::nameWithUnit(what.c_str(), std::string(q.unit).c_str()); };
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const bool some = statistics.count > 0;
+    const double mean = some ? statistics.sum / static_cast<double>(statistics.count) : none;
+    const double outdoor = light.outdoorIrradiance();
+    this->Numbers = { { name(std::string(q.name) + "Minimum"), some ? statistics.minimum : none },
+      { name(std::string(q.name) + "Mean"), mean },
+      { name(std::string(q.name) + "Maximum"), some ? statistics.maximum : none },
+      { "Uniformity", mean > 0.0 ? statistics.minimum / mean : none } };
+    if (outdoor > 0.0)
+    {
+      const lumitree::QuantityName e =
+        lumitree::describe(lumitree::Quantity::Irradiance, light.lights.system);
+      this->Numbers.emplace_back(name("Outdoor" + std::string(e.name)), outdoor);
+      this->Numbers.emplace_back("DaylightFactor [%]", 100.0 * mean / outdoor);
+    }
+    for (const Leaf& leaf : leaves)
+    {
+      this->WriteNumbers(leaf.data);
+    }
+  }
+
+  void WriteNumbers(vtkDataObject* object) const
+  {
+    for (const auto& [name, value] : this->Numbers)
+    {
+      AddNumber(object->GetFieldData(), name, value);
+    }
+  }
+
+  std::vector<std::pair<std::string, double>> Numbers; ///< of the field data
+
   /// Lights every leaf; false when the user stopped it.
   bool Illuminate(vtkLumiIrradiance* self, const filters::Illumination& light,
     const std::vector<Leaf>& leaves, bool shadowsItself)
@@ -127,6 +163,10 @@ struct vtkLumiIrradiance::Internals
     const auto count = static_cast<double>(leaves.size());
     std::uint64_t receivers = 0;
     std::uint64_t undefined = 0;
+    std::uint64_t missed = 0;
+    bool complete = true;
+    filters::IlluminationStatistics statistics;
+    lumitree::Quantity quantity = lumitree::Quantity::Irradiance;
     for (std::size_t i = 0; i < leaves.size(); ++i)
     {
       const auto part = [&](std::size_t done)
@@ -136,14 +176,30 @@ struct vtkLumiIrradiance::Internals
       };
       filters::Job job(self, part(i), part(i + 1));
       const filters::IlluminationReport report = light.addTo(
-        leaves[i].Data, leaves[i].CompositeIndex, Rank(self), shadowsItself, job.control());
+        leaves[i].data, leaves[i].compositeIndex, Rank(self), shadowsItself, job.control());
       if (!report.completed)
       {
-        return false;
+        complete = false;
+        break;
       }
-      filters::writeLengthUnit(leaves[i].Data, self->LengthUnit);
+      filters::writeLengthUnit(leaves[i].data, self->LengthUnit);
       receivers += report.receivers;
       undefined += report.undefined;
+      missed += report.missed;
+      statistics.add(report.statistics);
+      quantity = report.quantity;
+    }
+    // Also when stopped: the other ranks wait for this one.
+    this->Summarise(self, light, statistics, quantity, leaves);
+    if (!complete)
+    {
+      return false;
+    }
+    if (missed > 0)
+    {
+      vtkWarningWithObjectMacro(
+        self, << missed << " of " << receivers << " receivers did not reach the tolerance with "
+              << self->MaximumRays << " rays to a light. Allow more rays, or a larger tolerance.");
     }
     if (undefined > 0)
     {
@@ -172,6 +228,17 @@ void vtkLumiIrradiance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReceiverLocation: " << this->ReceiverLocation << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "PerLightArrays: " << (this->PerLightArrays ? "on" : "off") << "\n";
+  os << indent << "TwoSided: " << (this->TwoSided ? "on" : "off") << "\n";
+  os << indent << "ScalarIrradiance: " << (this->ScalarIrradiance ? "on" : "off") << "\n";
+  os << indent << "LightVector: " << (this->LightVector ? "on" : "off") << "\n";
+  os << indent << "CylindricalIrradiance: " << (this->CylindricalIrradiance ? "on" : "off") << "\n";
+  os << indent << "HemisphericalIrradiance: " << (this->HemisphericalIrradiance ? "on" : "off")
+     << "\n";
+  os << indent << "EstimateArrays: " << (this->EstimateArrays ? "on" : "off") << "\n";
+  os << indent << "ShadowMasks: " << (this->ShadowMasks ? "on" : "off") << "\n";
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "AbsoluteTolerance: " << this->AbsoluteTolerance << "\n";
+  os << indent << "MaximumRays: " << this->MaximumRays << "\n";
   os << indent << "LengthUnit: " << filters::lengthUnitName(this->LengthUnit) << "\n";
 }
 
@@ -246,10 +313,14 @@ int vtkLumiIrradiance::RequestData(
     if (this->Impl->Prepare(this, inputVector, pieces, light))
     {
       const std::vector<Leaf> leaves =
-        CopyReceivers(vtkDataObject::GetData(inputVector[0]), output);
+        filters::copyLeaves(vtkDataObject::GetData(inputVector[0]), output);
       complete =
         this->Impl->Illuminate(this, light, leaves, Internals::OccludersAreReceivers(inputVector));
       filters::writeLengthUnit(output, this->LengthUnit);
+      if (complete)
+      {
+        this->Impl->WriteNumbers(output);
+      }
     }
   }
   catch (const std::exception& problem)

@@ -17,7 +17,17 @@
  * without a cosine, for cells of three dimensions and for points that belong to nothing else and
  * have no normals.
  *  - the same followed by a blank and the name of a light, for each light (PerLightArrays).
- * Field data: `LengthUnit` (string) and `MetresPerUnit` (double).
+ *  - on request: irradiance on the back, scalar, cylindrical and hemispherical irradiance, the
+ * light vector, bounds and method of the estimate, masks of shadow and penumbra (see the
+ * properties). Field data: `LengthUnit` (string), `MetresPerUnit`, and of the main quantity over
+ * all receivers that have a value `IrradianceMinimum [W/m^2]`, `IrradianceMean [W/m^2]`,
+ * `IrradianceMaximum [W/m^2]` and `Uniformity` (U0 = minimum / mean); with skies among the lights
+ * `OutdoorIrradiance [W/m^2]` (on a horizontal plane with nothing in the way) and `DaylightFactor
+ * [%]`, the mean over it (all double).
+ *
+ * Each receiver is estimated by the cheapest method that its surroundings need: closed forms where
+ * nothing is between it and a light, exact clipping where few things are, skylines for skies, and
+ * else rays, as many as the tolerance asks for (Radiometry/LightEstimate.h).
  *
  * Point light: E = I cos(theta) / r^2, I = flux / (4 pi). Parallel light: E = E0 cos(theta). A
  * light behind the receiver gives 0, one that is hidden too. Normals are the point or cell normals;
@@ -121,6 +131,97 @@ public:
 
   ///@{
   /**
+   * Whether irradiance on the other side of the receivers is given, too, as `BackIrradiance
+   * [W/m^2]`. Default off.
+   */
+  vtkSetMacro(TwoSided, bool);
+  vtkGetMacro(TwoSided, bool);
+  vtkBooleanMacro(TwoSided, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether receivers with a normal get `ScalarIrradiance [W/m^2]`, too: from all sides alike.
+   * Default off.
+   */
+  vtkSetMacro(ScalarIrradiance, bool);
+  vtkGetMacro(ScalarIrradiance, bool);
+  vtkBooleanMacro(ScalarIrradiance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there is `LightVector [W/m^2]` (Gershun), three components: its component along any
+   * normal is the irradiance on that side less that on the other. Default off.
+   */
+  vtkSetMacro(LightVector, bool);
+  vtkGetMacro(LightVector, bool);
+  vtkBooleanMacro(LightVector, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there is `CylindricalIrradiance [W/m^2]`: on a small upright (z) cylinder. Default off.
+   */
+  vtkSetMacro(CylindricalIrradiance, bool);
+  vtkGetMacro(CylindricalIrradiance, bool);
+  vtkBooleanMacro(CylindricalIrradiance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there is `HemisphericalIrradiance [W/m^2]`: on a small hemisphere over the receiver.
+   * Default off.
+   */
+  vtkSetMacro(HemisphericalIrradiance, bool);
+  vtkGetMacro(HemisphericalIrradiance, bool);
+  vtkBooleanMacro(HemisphericalIrradiance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there are `IrradianceLower [W/m^2]`, `IrradianceUpper [W/m^2]`, `EstimateMethod` and
+   * `RayCount`. Default off.
+   */
+  vtkSetMacro(EstimateArrays, bool);
+  vtkGetMacro(EstimateArrays, bool);
+  vtkBooleanMacro(EstimateArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there are `ShadowMask` (1 where all light that comes its way is hidden) and
+   * `PenumbraMask` (1 where a part of it is). Default off.
+   */
+  vtkSetMacro(ShadowMasks, bool);
+  vtkGetMacro(ShadowMasks, bool);
+  vtkBooleanMacro(ShadowMasks, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far a value may be off: half the interval of an estimate by rays stays below the larger of
+   * RelativeTolerance times the value (in deep shadow, times a twentieth of the light with nothing
+   * in the way) and AbsoluteTolerance [W/m^2 or lx]. What closed forms, clipping and skylines give
+   * is exact, whatever these say. Default 0.01 and 0; range 0 to 1, and 0 upwards.
+   */
+  vtkSetClampMacro(RelativeTolerance, double, 0.0, 1.0);
+  vtkGetMacro(RelativeTolerance, double);
+  vtkSetClampMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AbsoluteTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Rays from a receiver to a light at most; receivers for which they do not do are counted in one
+   * warning. Range 64 to 2^24, default 16384.
+   */
+  vtkSetClampMacro(MaximumRays, int, 64, 16777216);
+  vtkGetMacro(MaximumRays, int);
+  ///@}
+
+  ///@{
+  /**
    * What one unit of the coordinates of all inputs is, one of LengthUnits. Default Metre.
    */
   vtkSetClampMacro(LengthUnit, int, Metre, Foot);
@@ -146,6 +247,16 @@ private:
   int ReceiverLocation = Cells;
   bool Shadows = true;
   bool PerLightArrays = false;
+  bool TwoSided = false;
+  bool ScalarIrradiance = false;
+  bool LightVector = false;
+  bool CylindricalIrradiance = false;
+  bool HemisphericalIrradiance = false;
+  bool EstimateArrays = false;
+  bool ShadowMasks = false;
+  double RelativeTolerance = 0.01;
+  double AbsoluteTolerance = 0.0;
+  int MaximumRays = 16384;
   int LengthUnit = Metre;
 
   struct Internals;

@@ -10,7 +10,10 @@
 `disagreements`             the rays on which two back ends differ
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
 `accuracy_chart`            speed against accuracy of every structure on a mesh
-`irradiance`                light on a mesh, with shadows and units
+`irradiance`                light on a mesh, with shadows and units, to a tolerance
+`radiant_intensity`         what a surface or a light sends in each direction
+`solid_angle`               of a surface, or of its visible part, from points
+`sensor_grid`               sensors on a plane, by EN 12464-1
 `point_light`, ...          lights: `spot_light`, `photometric_light` (IES, EULUMDAT), `area_light`,
                             `sphere_light`, `disk_light`, `rectangle_light`, `tube_light`,
                             `line_light`, `directional_light`, `sun_light`, `sky_light`
@@ -43,6 +46,7 @@ from .comparison import Disagreements, compare_structures, disagreements
 from .errors import LumitreeError, LumitreeWarning
 from .files import read, write
 from .implicit import implicit
+from .intensity import Intensity, radiant_intensity, sensor_grid, solid_angle
 from .lights import (
     area_light,
     convertible,
@@ -59,7 +63,7 @@ from .lights import (
     sun_light,
     tube_light,
 )
-from .radiometry import Irradiance, irradiance
+from .radiometry import EstimateMethod, Irradiance, irradiance
 from .raycast import Caster, Hits, cast, inside
 from .rayset import rays
 from .scenes import scene
@@ -70,8 +74,10 @@ __all__ = [
     "BvhBuild",
     "Caster",
     "Disagreements",
+    "EstimateMethod",
     "Hierarchy",
     "Hits",
+    "Intensity",
     "Irradiance",
     "KdBuild",
     "LengthUnit",
@@ -103,11 +109,14 @@ __all__ = [
     "luminous_efficacy",
     "photometric_light",
     "point_light",
+    "radiant_intensity",
     "rays",
     "read",
     "rectangle_light",
     "scene",
+    "sensor_grid",
     "sky_light",
+    "solid_angle",
     "sphere_light",
     "spot_light",
     "sun_light",

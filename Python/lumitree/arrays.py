@@ -52,6 +52,17 @@ def in_range(value: int, low: int, high: int, argument: str) -> int:
     return int(value)
 
 
+def number_in_range(value: float, low: float, high: float, argument: str) -> float:
+    """`value`, if it is a number from `low` to `high`. Raises ValueError if it is not."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = float("nan")
+    if not low <= number <= high:
+        raise ValueError(f"{argument} must be a number from {low:g} to {high:g}, not {value!r}")
+    return number
+
+
 def to_vtk(array: np.ndarray, name: str = "") -> vtkDataArray:
     """A VTK array on the memory of `array`, which it keeps alive. A copy only if it is not
     contiguous."""

@@ -158,7 +158,7 @@ bool PolygonEstimator::findCones(const Polygon& polygon, double side, double hei
   {
     region.push_back({ -1.0 * view.normal, -dot(view.normal, view.eye) });
   }
-  if (!this->find(view, this->scene_.options.mostClipped, workspace))
+  if (!this->find(view, this->scene_.mostClipped(), workspace))
   {
     return false;
   }

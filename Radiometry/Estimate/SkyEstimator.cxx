@@ -115,7 +115,8 @@ bool SkyEstimator::cut(const View& view, EstimateWorkspace& workspace, Estimate&
   {
     region.push_back({ -1.0 * view.normal, -dot(view.normal, view.eye) });
   }
-  const std::size_t limit = this->radiance_ && !oblique ? this->scene_.options.mostClipped : 0u;
+  const std::size_t limit =
+    this->radiance_ && !oblique ? this->scene_.mostClipped() : std::size_t{ 0 };
   if (!this->find(view, limit, workspace))
   {
     return false;

@@ -189,6 +189,13 @@ Estimate SourceEstimatorBase::sampleAll(
   return result;
 }
 
+std::size_t EstimateScene::mostClipped() const
+{
+  constexpr double measuredAt = 0.01;
+  const double share = std::min(1.0, measuredAt / std::max(this->options.relativeTolerance, 1e-6));
+  return static_cast<std::size_t>(share * this->options.mostClipped);
+}
+
 RaySamplerOptions EstimateScene::sampling(double tolerance) const
 {
   RaySamplerOptions result;

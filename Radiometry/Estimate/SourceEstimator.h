@@ -52,6 +52,9 @@ struct EstimateScene
   const ShadowRays* shadowRays; ///< null where occluders is
   std::size_t triangles;        ///< primitives from there on are not triangles
 
+  /// How many occluders are worth being cut out.
+  [[nodiscard]] std::size_t mostClipped() const;
+
   [[nodiscard]] RaySamplerOptions sampling(double absoluteTolerance) const;
 };
 

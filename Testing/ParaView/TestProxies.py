@@ -28,6 +28,7 @@ CHOICES = {
     "LineDistribution": "Lambertian Isotropic",
     "Model": "Uniform CieOvercast CieGeneral AllWeather",
     "LevelQuantity": "ZenithRadiance HorizontalIrradiance",
+    "Emission": "TotalFlux Exitance Radiance",
     "Mode": "ParallelGrid SphereAroundPoint Random",
     "RandomOrigins": "InBox OnSphere",
     "NodesAs": "Outlines Cells",
