@@ -153,20 +153,22 @@ def first_failure(wrong: np.ndarray) -> int | None:
 def draw_failures(path: Path) -> None:
     """Rays of which a back end is wrong, seen along the ray: the triangles around the point that it should
     hit, the right one green, the one named red."""
-    points, triangles = mesh("sphere", 24, (0, 0, 0), 2**-10, np.float32)
-    rng = np.random.default_rng(3)
-    origins = np.round(rng.uniform(-20, 20, (60000, 3)) * 1024) / 1024
-    corners = points[triangles[rng.integers(len(triangles), size=len(origins))]].astype(float)
-    through_vertex = corners[:, 0] - origins
-    through_edge = (corners[:, 0] - origins) + (corners[:, 1] - origins)
-    surface = (points, triangles)
-    figure, axes = pyplot.subplots(1, 3, figsize=(12, 4.2))
+    figure, axes = pyplot.subplots(1, 3, figsize=(12, 4.6))
+    leaks, others = (lambda f, t: (f < 0) & (t >= 0)), (lambda f, t: (f >= 0) & (f != t))
+    floats, doubles = mesh("sphere", 24, (0, 0, 0), 2**-10, np.float32), mesh("sphere", 24, UTM, 0, float)
     shown = (
-        ("a leak at a vertex", "embree", through_vertex, lambda f, t: (f < 0) & (t >= 0)),
-        ("a leak at an edge", "fast", through_edge, lambda f, t: (f < 0) & (t >= 0)),
-        ("another triangle at the same point", "fast", through_vertex, lambda f, t: (f >= 0) & (f != t)),
+        ("a leak at a vertex", "embree", floats, (0, 0, 0), False, leaks),
+        ("a leak at an edge (full mantissas)", "fast", doubles, UTM, True, leaks),
+        ("another triangle at the same point", "fast", floats, (0, 0, 0), False, others),
     )
-    for axis, (title, back_end, directions, is_wrong) in zip(axes, shown):
+    for axis, (title, back_end, surface, middle, at_edge, is_wrong) in zip(axes, shown):
+        points, triangles = surface
+        rng = np.random.default_rng(3)
+        origins = np.round(rng.uniform(-20, 20, (30000, 3)) * 1024) / 1024 + middle
+        corners = points[triangles[rng.integers(len(triangles), size=len(origins))]].astype(float)
+        directions = corners[:, 0] - origins
+        if at_edge:
+            directions += corners[:, 1] - origins
         truth = lumitree.cast(surface, origins, directions, precision="exact")
         if back_end == "embree":
             options = {"structure": "embree", "precision": "fast"}

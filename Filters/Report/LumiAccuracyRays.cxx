@@ -43,7 +43,10 @@ Vec3 rounded(Vec3 p)
 {
   for (double& x : p)
   {
-    x = static_cast<float>(x);
+    // GCC 12 (-O2, -O3) drops a plain conversion to float and back where it makes vectors of the
+    // loop.
+    const volatile float single = static_cast<float>(x);
+    x = single;
   }
   return p;
 }

@@ -9,6 +9,14 @@
 namespace lumitree::testing
 {
 
+/// The nearest number that a float holds. GCC 12 (-O2, -O3) drops a plain conversion to float and
+/// back where it makes vectors of the loop.
+inline double asFloat(double x)
+{
+  const volatile float rounded = static_cast<float>(x);
+  return rounded;
+}
+
 enum class Aim
 {
   Vertex,           ///< exactly through a vertex, where the surface has a grid
@@ -122,7 +130,7 @@ inline Ray aimed(const ClosedScene& c, const Vec3& o, Aim aim, bool fromInside, 
       d = (1 / length(d)) * d;
       for (double& x : d)
       {
-        x = static_cast<float>(x);
+        x = asFloat(x);
       }
       break;
     case Aim::Random:

@@ -19,7 +19,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 COMPILERS = {"g++": "gcc", "clang++": "clang"}
-FLAGS = ["-O0", "-O1", "-O2", "-O3", "-O3 -march=native"]
+FLAGS = ["-O3", "-O2", "-O3 -march=native", "-O1", "-O0"]
 PRECISIONS = ["fast", "watertight", "exact"]
 
 
@@ -114,26 +114,20 @@ def main() -> int:
     parser.add_argument("--page", type=Path, default=SOURCE / "Docs" / "matrix.md")
     parser.add_argument("--build", type=Path, default=SOURCE / "build" / "matrix")
     arguments = parser.parse_args()
-    rows = []
-    for compiler in COMPILERS:
-        if shutil.which(compiler) is None:
-            print(f"{compiler} is not installed; left out")
-            continue
-        for flags in FLAGS:
+    there = [compiler for compiler in COMPILERS if shutil.which(compiler)]
+    for compiler in set(COMPILERS) - set(there):
+        print(f"{compiler} is not installed; left out")
+    rows, wanted, differing = [], {}, []
+    for flags in FLAGS:
+        for compiler in there:
             print(f"== {compiler} {flags}", flush=True)
             directory = arguments.build / f"{compiler}{flags}".replace(" ", "")
             hashes, skipped = run(build(compiler, flags, directory))
             rows.append((version(compiler), flags, hashes, skipped))
-    wanted = {}
-    for condition, found in rows[0][2].items():
-        wanted.setdefault("permuted" in condition, found)
-    differing = [
-        (row[0], row[1], condition)
-        for row in rows
-        for condition, found in row[2].items()
-        if found != wanted["permuted" in condition]
-    ]
-    arguments.page.write_text(page(rows, wanted))
+            for condition, found in hashes.items():
+                if found != wanted.setdefault("permuted" in condition, found):
+                    differing.append((compiler, flags, condition))
+            arguments.page.write_text(page(rows, wanted))
     for cell in differing:
         print("DIFFERS: " + ", ".join(cell))
     print(f"{len(rows)} builds, {sum(len(r[2]) for r in rows)} conditions, {len(differing)} differ")
