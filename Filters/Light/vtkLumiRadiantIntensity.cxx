@@ -3,6 +3,7 @@
 #include "vtkLumiRadiantIntensity.h"
 
 #include "LumiCache.h"
+#include "LumiGather.h"
 #include "LumiJob.h"
 #include "LumiLightReader.h"
 #include "LumiPorts.h"
@@ -355,10 +356,15 @@ int vtkLumiRadiantIntensity::RequestData(
         return 1; // reported, or stopped
       }
     }
-    impl.FillSolid(this, solid);
-    impl.FillTable(this, table);
-    impl.AddNumbers(solid);
-    impl.AddNumbers(table);
+    // In a run over several ranks all know the same: one gives it.
+    vtkMultiProcessController* controller = this->GetController();
+    if (!filters::isDistributed(controller) || controller->GetLocalProcessId() == 0)
+    {
+      impl.FillSolid(this, solid);
+      impl.FillTable(this, table);
+      impl.AddNumbers(solid);
+      impl.AddNumbers(table);
+    }
   }
   catch (const std::exception& problem)
   {
