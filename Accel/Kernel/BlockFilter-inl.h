@@ -92,8 +92,8 @@ HWY_INLINE unsigned candidateLanes(
       Double4::all(ray.boundFloor);
   }
   const Double4 below = Double4::all(0.0) - error;
-  const auto negative = (f[0] < below) | (f[1] < below) | (f[2] < below);
-  const auto positive = (error < f[0]) | (error < f[1]) | (error < f[2]);
+  const auto negative = lower(f[0], lower(f[1], f[2])) < below;
+  const auto positive = error < raise(f[0], raise(f[1], f[2]));
   return ~(negative & positive).bits() & ((1u << blockWidth) - 1u);
 }
 

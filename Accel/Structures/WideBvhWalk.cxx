@@ -317,6 +317,8 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
     }
     return;
   }
+  // A small tree is in the inner caches anyway.
+  const bool large = tree.nodes.size() > 1024;
   Traveller<Stack> travellers[mostTravellers];
   Traveller<Stack>* under[mostTravellers]; // way
   int active = 0;
@@ -335,7 +337,10 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
         traveller.step(tree,
           [&](RayState& state, const Span& span) HWY_ATTR
           { testLeaf<Certain>(state, blocks, span); });
-        fetchNext(tree, blocks, traveller.stack);
+        if (large)
+        {
+          fetchNext(tree, blocks, traveller.stack);
+        }
         ++i;
         continue;
       }
