@@ -110,9 +110,18 @@ struct RayBatch
 
   [[nodiscard]] Ray operator[](std::size_t i) const
   {
-    return { this->origins.triple(i), this->directions.triple(i),
-      this->tMins ? this->tMins.scalar(i) : this->tMin,
-      this->tMaxs ? this->tMaxs.scalar(i) : this->tMax };
+    Ray ray;
+    this->read(i, ray);
+    return ray;
+  }
+
+  /// Ray i, written in place.
+  void read(std::size_t i, Ray& ray) const
+  {
+    ray.origin = this->origins.triple(i);
+    ray.direction = this->directions.triple(i);
+    ray.tMin = this->tMins ? this->tMins.scalar(i) : this->tMin;
+    ray.tMax = this->tMaxs ? this->tMaxs.scalar(i) : this->tMax;
   }
 };
 

@@ -154,8 +154,8 @@ private:
   /// False when the ray is not valid.
   bool start(std::size_t i, RayState& state)
   {
-    const Ray ray = this->rays_[i];
-    if (!isValid(ray))
+    this->rays_.read(i, state.ray);
+    if (!isValid(state.ray))
     {
       ++this->invalid_;
       if (this->options_.perRay)
@@ -164,7 +164,7 @@ private:
       }
       return false;
     }
-    state.start(ray);
+    state.start();
     state.index = i;
     const SkipSets& skip = this->rays_.skip;
     if (skip.offsets)

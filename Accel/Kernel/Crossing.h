@@ -27,6 +27,13 @@ inline double magnitude(const Vec3& a)
   return std::max(std::max(std::fabs(a[0]), std::fabs(a[1])), std::fabs(a[2]));
 }
 
+/// The axis of the largest component's magnitude, the first of equals.
+inline int dominantAxis(const Vec3& a)
+{
+  const int axis = std::fabs(a[0]) >= std::fabs(a[1]) ? 0 : 1;
+  return std::fabs(a[axis]) >= std::fabs(a[2]) ? axis : 2;
+}
+
 /// The edge functions of one triangle, by the arithmetic of the block filter: the same bits.
 inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
@@ -59,7 +66,7 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
 inline Crossing crossing(
   const FilterRay& ray, const std::array<Vec3, 3>& vertices, const EdgeValues& e)
 {
-  const int k = ray.axis;
+  const int k = dominantAxis(ray.direction);
   const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
     vertices[2][k] - ray.origin[k] };
 

@@ -10,19 +10,24 @@
 namespace lumitree
 {
 
-/// What the filter needs of a ray, computed once.
-struct FilterRay
+/// A ray, and what the filter needs to know of it.
+struct FilterRay : Ray
 {
+  FilterRay() = default;
   explicit FilterRay(const Ray& ray)
-    : origin(ray.origin)
-    , direction(ray.direction)
-    , oneNorm(
-        std::fabs(ray.direction[0]) + std::fabs(ray.direction[1]) + std::fabs(ray.direction[2]))
-    , boundFloor(0x1p-1020 * (1.0 + oneNorm))
-    , axis(std::fabs(ray.direction[0]) >= std::fabs(ray.direction[1]) ? 0 : 1)
+    : Ray(ray)
   {
-    this->axis =
-      std::fabs(ray.direction[this->axis]) >= std::fabs(ray.direction[2]) ? this->axis : 2;
+    this->prepare();
+  }
+
+  /// To be called when the ray has changed.
+  void prepare()
+  {
+    const double x = std::fabs(this->direction[0]);
+    const double y = std::fabs(this->direction[1]);
+    const double z = std::fabs(this->direction[2]);
+    this->oneNorm = x + y + z;
+    this->boundFloor = 0x1p-1020 * (1.0 + this->oneNorm);
   }
 
   /// With A, B, C the vertices less the origin, the edge function of the edge PQ is
@@ -35,11 +40,8 @@ struct FilterRay
   /// overflow, so does the bound, and then nothing is certain.
   static constexpr double edgeBound = 16 * 0x1p-53;
 
-  Vec3 origin;
-  Vec3 direction;
-  double oneNorm;
-  double boundFloor;
-  int axis; ///< of the direction's largest component
+  double oneNorm = 0.0; ///< of the direction
+  double boundFloor = 0.0;
 };
 
 /// The edge functions of one triangle, the weights of its vertices, and the bound of their error:

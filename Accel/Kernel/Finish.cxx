@@ -38,7 +38,7 @@ bool isVague(const RayState& state, const Candidate& c)
   {
     return true;
   }
-  const Crossing x = crossing(state.filter, state.surface.vertices(c.primitive));
+  const Crossing x = crossing(state.ray, state.surface.vertices(c.primitive));
   return isVague(x.tLow, x.tHigh, x.t);
 }
 

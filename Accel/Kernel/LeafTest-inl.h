@@ -29,7 +29,7 @@ HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const
   {
     const TriangleBlock<T>& block = blocks[span.firstBlock + b];
     BlockEdges edges;
-    unsigned candidates = candidateLanes<Certain>(state.filter, block, edges);
+    unsigned candidates = candidateLanes<Certain>(state.ray, block, edges);
     for (; candidates != 0; candidates &= candidates - 1)
     {
       const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));

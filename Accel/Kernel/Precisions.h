@@ -57,7 +57,7 @@ struct FastPrecision : OrderByKey
 
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.filter, vertices);
+    const Crossing x = crossing(state.ray, vertices);
     return apparentlyHit(x.edges) && std::isfinite(x.t) && x.t >= state.ray.tMin &&
       x.t <= state.ray.tMax && place(state, vertices, x, c);
   }
@@ -71,7 +71,7 @@ struct WatertightPrecision : OrderByKey
 
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.filter, vertices);
+    const Crossing x = crossing(state.ray, vertices);
     state.exactTests += surelyHit(x.edges) ? 0 : 1;
     // By the triangle's own bound: a block's depends on which triangles share it.
     return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh >= state.ray.tMin &&
@@ -87,7 +87,7 @@ struct ExactPrecision
 
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.filter, vertices, state.edges);
+    const Crossing x = crossing(state.ray, vertices, state.edges);
     if (!surelyHit(x.edges))
     {
       if (surelyMissed(x.edges))
@@ -168,7 +168,7 @@ struct ExactPassage
 {
   static bool settle(RayState& state, const Corners& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.filter, vertices);
+    const Crossing x = crossing(state.ray, vertices);
     if (!surelyHit(x.edges))
     {
       if (surelyMissed(x.edges))

@@ -48,18 +48,18 @@ struct RayState
 {
   explicit RayState(const Surface& s)
     : surface(s)
-    , filter(Ray{})
     , box_(Ray{})
   {
   }
 
-  void start(const Ray& r)
+  /// To be called when there is another ray.
+  void start()
   {
-    this->ray = r;
-    this->filter = FilterRay(r);
+    this->ray.prepare();
     this->hasBox_ = false;
-    this->tStop = r.tMax;
-    this->best = Candidate{};
+    this->tStop = this->ray.tMax;
+    this->best.primitive = noPrimitive;
+    this->best.key = std::numeric_limits<double>::infinity();
     this->found.clear();
   }
 
@@ -82,8 +82,7 @@ struct RayState
   const Surface& surface;
   std::size_t index = 0; ///< of the ray in its batch
   SettleFunction settle = nullptr;
-  Ray ray;
-  FilterRay filter;
+  FilterRay ray;
   EdgeValues edges; ///< of the candidate to be settled, with its block's bound; not for Fast
   const PrimitiveId* skipFirst = nullptr;
   const PrimitiveId* skipLast = nullptr;

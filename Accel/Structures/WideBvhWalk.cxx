@@ -242,6 +242,22 @@ struct Traveller
     this->stack.start(this->ray.sMin);
   }
 
+  /// The same in two steps.
+  ///@{
+  void await(RayState& rayState)
+  {
+    this->state = &rayState;
+    this->stack.height = -1;
+  }
+  HWY_INLINE void startIfAwaited(const WideBvhNodes& tree)
+  {
+    if (this->stack.height < 0)
+    {
+      this->start(tree, *this->state);
+    }
+  }
+  ///@}
+
   /// Takes the nearest child that matters from the stack, which then has it above its top; false
   /// when there is none.
   HWY_INLINE bool pop()
@@ -325,13 +341,14 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
   for (int i = 0; i < std::min(count, mostTravellers) && feed.next(feed.owner, states[i]); ++i)
   {
     under[active++] = &travellers[i];
-    travellers[i].start(tree, states[i]);
+    travellers[i].await(states[i]);
   }
   while (active > 0)
   {
     for (int i = 0; i < active;)
     {
       Traveller<Stack>& traveller = *under[i];
+      traveller.startIfAwaited(tree);
       if (traveller.pop())
       {
         traveller.step(tree,
@@ -347,7 +364,10 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
       feed.done(feed.owner, *traveller.state);
       if (feed.next(feed.owner, *traveller.state))
       {
-        traveller.start(tree, *traveller.state);
+        // It starts when its turn comes again: a ray read in wider pieces than it was just written
+        // in would have to wait for the memory.
+        traveller.await(*traveller.state);
+        ++i;
       }
       else
       {
