@@ -102,6 +102,8 @@ double leastReferences(const Surface& surface, const std::array<int, 3>& resolut
   for (int k = 0; k < 3; ++k)
   {
     perUnit[k] = size[k] > 0.0 ? resolution[k] / size[k] : 0.0;
+    // A subnormal size has no reciprocal: nothing is known then.
+    perUnit[k] = std::isfinite(perUnit[k]) ? perUnit[k] : 0.0;
   }
   double sum = 0.0;
   for (const PrimitiveId id : surface.hittable())
