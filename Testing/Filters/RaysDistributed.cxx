@@ -171,7 +171,7 @@ TEST(RaysDistributed, RankZeroShowsTheStructureForAll)
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(structure->GetOutputDataObject(0));
   auto* table = vtkTable::SafeDownCast(structure->GetOutputDataObject(1));
   EXPECT_EQ(blocks->GetNumberOfBlocks(), 3u); // three leaves
-  EXPECT_EQ(table->GetNumberOfColumns(), 21);
+  EXPECT_TRUE(table->GetColumnByName("Rays")); // on every rank
   EXPECT_EQ(table->GetNumberOfRows(), rank() == 0 ? 1 : 0);
   auto* root = vtkPolyData::SafeDownCast(blocks->GetBlock(0));
   EXPECT_EQ(root->GetNumberOfCells(), rank() == 0 ? 12 : 0);
@@ -230,7 +230,7 @@ TEST(RaysDistributed, ComparisonsCountTheRaysOfAllRanks)
   comparison->SetPrecision(vtkLumiStructureComparison::Exact);
   comparison->Update();
   auto* table = vtkTable::SafeDownCast(comparison->GetOutputDataObject(0));
-  EXPECT_EQ(table->GetNumberOfColumns(), 21);
+  EXPECT_TRUE(table->GetColumnByName("Rays")); // on every rank
   EXPECT_EQ(table->GetNumberOfRows() > 1, rank() == 0);
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
