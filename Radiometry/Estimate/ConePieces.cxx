@@ -89,7 +89,7 @@ void halve(const ConePiece& piece, ConePiece& one, ConePiece& two)
 {
   int longest = 0;
   double least = 2.0;
-  Vec3 units[ConePiece::capacity];
+  Vec3 units[ConePiece::capacity] = {};
   for (int i = 0; i < piece.count; ++i)
   {
     units[i] = (1.0 / length(piece.corners[i])) * piece.corners[i];
