@@ -336,18 +336,18 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
   // A small tree is in the inner caches anyway.
   const bool large = tree.nodes.size() > 1024;
   Traveller<Stack> travellers[mostTravellers];
-  Traveller<Stack>* under[mostTravellers]; // way
+  Traveller<Stack>* onTheWay[mostTravellers];
   int active = 0;
   for (int i = 0; i < std::min(count, mostTravellers) && feed.next(feed.owner, states[i]); ++i)
   {
-    under[active++] = &travellers[i];
+    onTheWay[active++] = &travellers[i];
     travellers[i].await(states[i]);
   }
   while (active > 0)
   {
     for (int i = 0; i < active;)
     {
-      Traveller<Stack>& traveller = *under[i];
+      Traveller<Stack>& traveller = *onTheWay[i];
       traveller.startIfAwaited(tree);
       if (traveller.pop())
       {
@@ -371,7 +371,7 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
       }
       else
       {
-        under[i] = under[--active];
+        onTheWay[i] = onTheWay[--active];
       }
     }
   }

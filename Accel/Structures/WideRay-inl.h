@@ -113,7 +113,7 @@ private:
     (reciprocal * Float4::all(1.0f + pad)).store(this->farReciprocal);
     // As in RayBox: a component whose reciprocal overflows, or is that of a number that floats hold
     // with fewer digits, does not constrain. 0 itself does.
-    if ((Float4::all(0x1p119f) < absolute(reciprocal)).bits() != 0)
+    if (((Float4::all(0x1p118f) < absolute(reciprocal)).bits() & 7u) != 0)
     {
       for (int k = 0; k < 3; ++k)
       {
