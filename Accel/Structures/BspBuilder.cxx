@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BspBuilder.h"
 
-#include "Accel/Structures/BspFrame.h"
-#include "Accel/Structures/KdTreeClip.h"
-#include "Accel/Structures/KdTreeSplitters.h"
-#include "Accel/Structures/QuadricBoxOverlap.h"
+#include "Accel/Structures/BspDivide.h"
 
 #include <algorithm>
 #include <optional>
@@ -33,35 +30,16 @@ double testCost(std::size_t count)
 }
 
 /// A cell and what reaches into it, to become the node `node`.
-struct Task
+struct Task : BspPart
 {
-  Box cell;              ///< holds the cell
-  Polyhedron polyhedron; ///< the cell, nearly, in the frame
-  std::vector<KdReference> references;
-  std::size_t allowance; ///< references that the leaves below may hold together
-  std::uint32_t node;
-  int depth;
-};
-
-/// A plane that may divide a cell.
-struct Candidate
-{
-  Vec3 normal = { 0.0, 0.0, 0.0 };
-  double offset = 0.0;
-  int axis = -1;
-  bool inPlaneBelow = true; ///< across an axis: what lies in the plane goes below it
-};
-
-enum class Side : std::uint8_t
-{
-  Below,
-  Above,
-  Both
+  std::size_t allowance = 0; ///< references that the leaves below may hold together
+  std::uint32_t node = 0;
+  int depth = 0;
 };
 
 struct Division
 {
-  Candidate plane;
+  BspPlane plane;
   double cost = 0.0;
   std::optional<std::pair<Polyhedron, Polyhedron>> parts;
 };
@@ -133,7 +111,7 @@ private:
     const KdSplit across = this->axisSplitter_(task.cell, task.references);
     if (across.axis >= 0)
     {
-      Candidate plane;
+      BspPlane plane;
       plane.axis = across.axis;
       plane.normal[static_cast<std::size_t>(across.axis)] = 1.0;
       plane.offset = across.position;
@@ -158,11 +136,11 @@ private:
   }
 
   /// A plane so little beside a triangle that the triangle is certainly on the side asked for.
-  [[nodiscard]] std::optional<Candidate> planeBeside(PrimitiveId id, bool triangleBelow) const
+  [[nodiscard]] std::optional<BspPlane> planeBeside(PrimitiveId id, bool triangleBelow) const
   {
     const auto v = this->surface_.vertices(id);
     const Vec3 a = this->framed(v[0]);
-    Candidate plane;
+    BspPlane plane;
     plane.normal = cross(this->framed(v[1]) - a, this->framed(v[2]) - a);
     double largest = 0.0;
     for (const double n : plane.normal)
@@ -192,60 +170,15 @@ private:
     return plane;
   }
 
-  [[nodiscard]] Side sideOf(const KdReference& r, const Candidate& plane) const
-  {
-    if (plane.axis >= 0)
-    {
-      const auto axis = static_cast<std::size_t>(plane.axis);
-      const double lower = r.bounds.lower[axis];
-      const double upper = r.bounds.upper[axis];
-      if (lower == plane.offset && upper == plane.offset)
-      {
-        return plane.inPlaneBelow ? Side::Below : Side::Above;
-      }
-      return upper <= plane.offset ? Side::Below
-                                   : (lower >= plane.offset ? Side::Above : Side::Both);
-    }
-    // Of a quadric they are NaN, and nothing is certain.
-    bool below = true;
-    bool above = true;
-    for (const Vec3& p : this->surface_.vertices(r.id))
-    {
-      const PlaneDistance distance(plane.normal, plane.offset, p);
-      below = below && distance.value < -distance.margin;
-      above = above && distance.value > distance.margin;
-    }
-    if (below || above)
-    {
-      return below ? Side::Below : Side::Above;
-    }
-    // The corners of the part's box that are farthest below and above.
-    Vec3 low;
-    Vec3 high;
-    for (int k = 0; k < 3; ++k)
-    {
-      const bool rises = plane.normal[k] > 0.0;
-      low[k] = rises ? r.bounds.lower[k] : r.bounds.upper[k];
-      high[k] = rises ? r.bounds.upper[k] : r.bounds.lower[k];
-    }
-    const PlaneDistance lowest(plane.normal, plane.offset, low);
-    const PlaneDistance highest(plane.normal, plane.offset, high);
-    if (highest.value < -highest.margin)
-    {
-      return Side::Below;
-    }
-    return lowest.value > lowest.margin ? Side::Above : Side::Both;
-  }
-
-  void offer(const Task& task, const Candidate& plane, Division& best) const
+  void offer(const Task& task, const BspPlane& plane, Division& best) const
   {
     std::size_t below = 0;
     std::size_t above = 0;
     for (const KdReference& r : task.references)
     {
-      const Side side = this->sideOf(r, plane);
-      below += side != Side::Above ? 1 : 0;
-      above += side != Side::Below ? 1 : 0;
+      const BspSide side = sideOf(this->surface_, r, plane);
+      below += side != BspSide::Above ? 1 : 0;
+      above += side != BspSide::Below ? 1 : 0;
     }
     const std::size_t count = task.references.size();
     if (below == count && above == count)
@@ -278,35 +211,11 @@ private:
   /// False where the sides would hold more than is allowed.
   bool divide(const Task& task, Division& division, std::vector<Task>& tasks)
   {
-    const Candidate& plane = division.plane;
-    Task below{ task.cell, std::move(division.parts->first), {}, 0, 0, task.depth + 1 };
-    Task above{ task.cell, std::move(division.parts->second), {}, 0, 0, task.depth + 1 };
-    if (plane.axis >= 0)
-    {
-      const auto axis = static_cast<std::size_t>(plane.axis);
-      below.cell.upper[axis] = std::min(below.cell.upper[axis], plane.offset);
-      above.cell.lower[axis] = std::max(above.cell.lower[axis], plane.offset);
-    }
-    // A slanted cell that is cut becomes smaller along the other axes, too.
-    below.cell = commonBox(below.cell, boxAround(this->frame_, below.polyhedron));
-    above.cell = commonBox(above.cell, boxAround(this->frame_, above.polyhedron));
-    for (const KdReference& r : task.references)
-    {
-      const Side side = this->sideOf(r, plane);
-      if (side == Side::Both)
-      {
-        this->addPart(r, plane, 1.0, below);
-        this->addPart(r, plane, -1.0, above);
-        continue;
-      }
-      // The cell may have become smaller than what its triangle knows of it.
-      Task& part = side == Side::Below ? below : above;
-      const Box bounds = commonBox(r.bounds, part.cell);
-      if (!bounds.empty())
-      {
-        part.references.push_back({ bounds, r.id });
-      }
-    }
+    const BspPlane& plane = division.plane;
+    auto parts =
+      divideReferences(this->surface_, this->frame_, task, plane, std::move(*division.parts));
+    Task below{ std::move(parts.first), 0, 0, task.depth + 1 };
+    Task above{ std::move(parts.second), 0, 0, task.depth + 1 };
     const std::size_t held = below.references.size() + above.references.size();
     if (held > task.allowance)
     {
@@ -333,60 +242,6 @@ private:
     tasks.push_back(std::move(above));
     tasks.push_back(std::move(below));
     return true;
-  }
-
-  /// Adds what a triangle has where sign * (normal · x - offset) <= 0, if anything.
-  void addPart(const KdReference& whole, const Candidate& plane, double sign, Task& side) const
-  {
-    const auto corners = this->surface_.vertices(whole.id);
-    const bool quadric = this->surface_.isQuadric(whole.id);
-    Box bounds = side.cell;
-    if (!quadric)
-    {
-      bounds =
-        plane.axis >= 0 ? clippedBounds(corners, side.cell) : partBeside(corners, plane, sign);
-    }
-    bounds = commonBox(commonBox(bounds, whole.bounds), side.cell);
-    if (!bounds.empty() && !(quadric && !mayMeet(this->surface_.quadric(whole.id), bounds)))
-    {
-      side.references.push_back({ bounds, whole.id });
-    }
-  }
-
-  /// Corners certainly beyond the plane are cut off. The new ones are off by less than 2^-46 of the
-  /// triangle's coordinates for each unit of how steeply the plane is met, and stay on their edges.
-  static Box partBeside(const std::array<Vec3, 3>& corners, const Candidate& plane, double sign)
-  {
-    Box bounds;
-    Vec3 room = { 0.0, 0.0, 0.0 };
-    std::array<double, 3> distance;
-    for (int i = 0; i < 3; ++i)
-    {
-      const PlaneDistance d(plane.normal, plane.offset, corners[i]);
-      // A corner is taken for this much nearer than it is computed, so that nothing of this side is
-      // cut off.
-      distance[i] = sign * d.value - 2.0 * d.margin;
-      for (int k = 0; k < 3; ++k)
-      {
-        room[k] = std::max(room[k], std::fabs(corners[i][k]) * 0x1p-44 + 0x1p-1040);
-      }
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      const int j = (i + 1) % 3;
-      if (distance[i] <= 0.0)
-      {
-        bounds.extend(corners[i]);
-      }
-      if ((distance[i] <= 0.0) != (distance[j] <= 0.0))
-      {
-        const double s = std::clamp(distance[i] / (distance[i] - distance[j]), 0.0, 1.0);
-        const Vec3 p = corners[i] + s * (corners[j] - corners[i]);
-        bounds.extend(p - room);
-        bounds.extend(p + room);
-      }
-    }
-    return bounds;
   }
 
   void makeLeaf(const Task& task)

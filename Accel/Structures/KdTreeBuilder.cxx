@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/KdTreeBuilder.h"
 
-#include "Accel/Structures/KdTreeClip.h"
-#include "Accel/Structures/QuadricBoxOverlap.h"
+#include "Accel/Structures/KdTreeDivide.h"
 
 #include <stdexcept>
 
@@ -20,12 +19,6 @@ struct Task
   std::size_t allowance; ///< references that the leaves below may hold together
   std::uint32_t node;
   int depth;
-};
-
-struct Sides
-{
-  std::vector<KdReference> below;
-  std::vector<KdReference> above;
 };
 
 class Builder
@@ -53,7 +46,9 @@ public:
       this->progress_.advance(0);
       const KdSplit division =
         task.depth < depthLimit ? split(task.cell, task.references) : KdSplit{};
-      const Sides sides = division.axis >= 0 ? this->divide(task, division) : Sides{};
+      const KdSides sides = division.axis >= 0
+        ? divideReferences(this->surface_, task.cell, task.references, division)
+        : KdSides{};
       const std::size_t held = sides.below.size() + sides.above.size();
       if (division.axis < 0 || held > task.allowance)
       {
@@ -87,45 +82,6 @@ private:
     return std::min(maxDepth, static_cast<int>(8.0 + 1.3 * std::log2(count)));
   }
 
-  /// Order is kept, so references ascend by id in every node.
-  Sides divide(const Task& task, const KdSplit& split) const
-  {
-    const auto axis = static_cast<std::size_t>(split.axis);
-    const KdCells cells(task.cell, axis, split.position);
-    Sides sides;
-    for (const KdReference& r : task.references)
-    {
-      const double lower = r.bounds.lower[axis];
-      const double upper = r.bounds.upper[axis];
-      const bool inPlane = lower == split.position && upper == split.position;
-      if (inPlane ? split.inPlaneBelow : upper <= split.position)
-      {
-        sides.below.push_back(r);
-      }
-      else if (inPlane || lower >= split.position)
-      {
-        sides.above.push_back(r);
-      }
-      else
-      {
-        this->addPart(sides.below, r, cells.below);
-        this->addPart(sides.above, r, cells.above);
-      }
-    }
-    return sides;
-  }
-
-  void addPart(std::vector<KdReference>& side, const KdReference& whole, const Box& cell) const
-  {
-    const bool quadric = this->surface_.isQuadric(whole.id);
-    const Box bounds = commonBox(
-      quadric ? cell : clippedBounds(this->surface_.vertices(whole.id), cell), whole.bounds);
-    if (!bounds.empty() && !(quadric && !mayMeet(this->surface_.quadric(whole.id), bounds)))
-    {
-      side.push_back({ bounds, whole.id });
-    }
-  }
-
   void makeLeaf(const Task& task)
   {
     if (task.references.size() > KdNode::largestLeaf)
@@ -144,7 +100,7 @@ private:
       this->blocks_);
   }
 
-  void makeInterior(const Task& task, const KdSplit& split, Sides sides, std::vector<Task>& tasks)
+  void makeInterior(const Task& task, const KdSplit& split, KdSides sides, std::vector<Task>& tasks)
   {
     const auto axis = static_cast<std::uint32_t>(split.axis);
     const auto first = static_cast<std::uint32_t>(this->tree_.nodes.size());

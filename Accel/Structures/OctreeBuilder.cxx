@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/OctreeBuilder.h"
 
+#include "Accel/Structures/OctreeCells.h"
 #include "Accel/Structures/PrimitiveBoxOverlap.h"
 
 #include <array>
@@ -15,10 +16,6 @@ constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
 /// See OctreeBuilder.h.
 constexpr std::size_t growthHalves = 3;
-
-/// Octants reach over their planes by this much of the root, for Fast and Watertight, which may
-/// take for hit what a ray misses by rounding.
-constexpr double relativeMargin = 0x1p-36;
 
 /// A node of the level at work.
 struct Open
@@ -34,6 +31,7 @@ public:
   Builder(const Surface& surface, const BuildOptions& options, BuildProgress& progress)
     : surface_(surface)
     , progress_(progress)
+    , cells_(surface.bounds())
     , leafSize_(static_cast<std::size_t>(options.leafSize))
     , depthLimit_(std::min(options.maxDepth, octreeDepthLimit))
     , limit_(fewReferences + referencesPerPrimitive * surface.hittable().size())
@@ -46,7 +44,7 @@ public:
     this->tree_.nodes.emplace_back();
     this->tree_.nodes[0].box = this->surface_.bounds();
     std::vector<Open> level;
-    level.push_back({ 0, this->rootCube(), this->surface_.hittable() });
+    level.push_back({ 0, this->cells_.root(), this->surface_.hittable() });
     double toDo = 1.0;
     for (int depth = 0; !level.empty(); ++depth)
     {
@@ -69,45 +67,6 @@ public:
   }
 
 private:
-  Box rootCube()
-  {
-    Box cube = this->surface_.bounds();
-    if (!cube.empty())
-    {
-      const double size = cube.size()[cube.longestAxis()];
-      this->margin_ = relativeMargin * size;
-      for (int k = 0; k < 3; ++k)
-      {
-        cube.upper[k] = std::max(cube.upper[k], cube.lower[k] + size);
-      }
-    }
-    return cube;
-  }
-
-  [[nodiscard]] Box boxOf(const Box& octant) const
-  {
-    const Box& bounds = this->surface_.bounds();
-    Box box;
-    for (int k = 0; k < 3; ++k)
-    {
-      box.lower[k] = std::max(octant.lower[k] - this->margin_, bounds.lower[k]);
-      box.upper[k] = std::min(octant.upper[k] + this->margin_, bounds.upper[k]);
-    }
-    return box;
-  }
-
-  static Box octantOf(const Box& cube, const Vec3& centre, int i)
-  {
-    Box octant;
-    for (int k = 0; k < 3; ++k)
-    {
-      const bool above = (i >> k & 1) != 0;
-      octant.lower[k] = above ? centre[k] : cube.lower[k];
-      octant.upper[k] = above ? cube.upper[k] : centre[k];
-    }
-    return octant;
-  }
-
   /// Appends the node's children to the tree and to the next level; false where the node must
   /// become a leaf.
   bool split(const Open& open, std::vector<Open>& next)
@@ -116,7 +75,7 @@ private:
     std::array<Box, 8> boxes;
     for (int i = 0; i < 8; ++i)
     {
-      boxes[i] = this->boxOf(octantOf(open.octant, centre, i));
+      boxes[i] = this->cells_.boxOf(OctreeCells::octantOf(open.octant, centre, i));
     }
     const std::size_t count = open.primitives.size();
     const std::size_t allowed = std::min(growthHalves * count / 2,
@@ -160,7 +119,8 @@ private:
         child.box = boxes[i];
         child.parent = open.node;
         this->tree_.nodes.push_back(child);
-        next.push_back({ index, octantOf(open.octant, centre, i), std::move(held[i]) });
+        next.push_back(
+          { index, OctreeCells::octantOf(open.octant, centre, i), std::move(held[i]) });
       }
     }
     return true;
@@ -178,11 +138,11 @@ private:
 
   const Surface& surface_;
   BuildProgress& progress_;
+  OctreeCells cells_;
   std::size_t leafSize_;
   int depthLimit_;
   std::size_t limit_; ///< of references
   std::size_t held_;  ///< references so far, over all nodes without children
-  double margin_ = 0.0;
   OctreeNodes tree_;
 };
 
