@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Accel/Reference/CGAL/CgalTree.h"
+#include "Accel/Reference/CGAL/CgalTriangles.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/version_macros.h>
@@ -35,18 +33,8 @@ class DoublesTree final : public CgalTree
 {
 public:
   DoublesTree(const Surface& surface, BuildProgress& progress)
-    : surface_(surface)
+    : triangles_(surface, progress)
   {
-    progress.stage(0.5, surface.hittable().size());
-    this->triangles_.reserve(surface.hittable().size());
-    for (const PrimitiveId id : surface.hittable())
-    {
-      const auto v = surface.vertices(id);
-      this->triangles_.emplace_back(pointAt(v[0]), pointAt(v[1]), pointAt(v[2]));
-      progress.advance(1);
-    }
-    this->tree_.insert(this->triangles_.begin(), this->triangles_.end());
-    this->tree_.build();
   }
 
   void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
@@ -58,8 +46,7 @@ public:
     {
       for (const auto& found : intersections)
       {
-        const auto index = static_cast<std::size_t>(found.second - this->triangles_.begin());
-        const PrimitiveId id = this->surface_.hittable()[index];
+        const PrimitiveId id = this->triangles_.primitive(found.second);
         const auto* const point = pointOf<typename Kernel::Point_3>(found.first);
         if (point && !std::binary_search(skipFirst, skipLast, id))
         {
@@ -70,36 +57,28 @@ public:
     // Limits are applied to t: a rounded end of a segment would miss what lies at it.
     if (ray.tMin >= 0.0)
     {
-      keep(this->intersections(typename Kernel::Ray_3(pointAt(ray.origin), direction)));
+      keep(this->intersections(typename Kernel::Ray_3(Triangles::pointAt(ray.origin), direction)));
     }
     else
     {
-      keep(this->intersections(typename Kernel::Line_3(pointAt(ray.origin), direction)));
+      keep(this->intersections(typename Kernel::Line_3(Triangles::pointAt(ray.origin), direction)));
     }
     std::sort(hits.begin(), hits.end(),
       [](const Hit& a, const Hit& b)
       { return a.t < b.t || (a.t == b.t && a.primitive < b.primitive); });
   }
 
-  [[nodiscard]] std::size_t memory() const override
-  {
-    return this->triangles_.size() *
-      (sizeof(typename Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) +
-        2 * sizeof(void*));
-  }
+  [[nodiscard]] std::size_t memory() const override { return this->triangles_.memory(); }
 
 private:
-  using Triangles = std::vector<typename Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, typename Triangles::const_iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-  static typename Kernel::Point_3 pointAt(const Vec3& p) { return { p[0], p[1], p[2] }; }
+  using Triangles = CgalTriangles<Kernel>;
 
   template <class Query>
   auto intersections(const Query& query) const
   {
+    using Tree = typename Triangles::Tree;
     std::vector<typename Tree::template Intersection_and_primitive_id<Query>::Type> found;
-    this->tree_.all_intersections(query, std::back_inserter(found));
+    this->triangles_.tree().all_intersections(query, std::back_inserter(found));
     return found;
   }
 
@@ -116,7 +95,7 @@ private:
     {
       return;
     }
-    const auto v = this->surface_.vertices(id);
+    const auto v = this->triangles_.surface().vertices(id);
     const Vec3 e1 = v[1] - v[0];
     const Vec3 e2 = v[2] - v[0];
     const Vec3 normal = cross(e1, e2);
@@ -125,9 +104,7 @@ private:
       dot(normal, cross(e1, point - v[0])) / area, id });
   }
 
-  const Surface& surface_;
   Triangles triangles_;
-  Tree tree_;
 };
 
 } // namespace

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Accel/Reference/CGAL/CgalTree.h"
+#include "Accel/Reference/CGAL/CgalTriangles.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 
@@ -19,16 +17,9 @@ namespace
 {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Triangles = CgalTriangles<Kernel>;
 using Rational = CGAL::Exact_rational;
 using Vector = std::array<Rational, 3>;
-
-Kernel::Point_3 pointOf(const Vec3& p)
-{
-  return { p[0], p[1], p[2] };
-}
 
 /// origin + t direction, exactly.
 Kernel::Point_3 pointAt(const Ray& ray, double t)
@@ -107,19 +98,9 @@ struct ExactHit
 class EpeckTree final : public CgalTree
 {
 public:
-  EpeckTree(const Surface& s, BuildProgress& progress)
-    : surface_(s)
+  EpeckTree(const Surface& surface, BuildProgress& progress)
+    : triangles_(surface, progress)
   {
-    progress.stage(0.5, s.hittable().size());
-    this->triangles_.reserve(s.hittable().size());
-    for (const PrimitiveId id : s.hittable())
-    {
-      const auto v = s.vertices(id);
-      this->triangles_.emplace_back(pointOf(v[0]), pointOf(v[1]), pointOf(v[2]));
-      progress.advance(1);
-    }
-    this->tree_.insert(this->triangles_.begin(), this->triangles_.end());
-    this->tree_.build();
   }
 
   void all(const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast,
@@ -143,12 +124,7 @@ public:
     }
   }
 
-  [[nodiscard]] std::size_t memory() const override
-  {
-    // A binary tree over n triangles has n - 1 nodes of a box and two pointers each.
-    return this->triangles_.size() *
-      (sizeof(Kernel::Triangle_3) + sizeof(Primitive) + sizeof(CGAL::Bbox_3) + 2 * sizeof(void*));
-  }
+  [[nodiscard]] std::size_t memory() const override { return this->triangles_.memory(); }
 
 private:
   /// Every hit, ordered by (t, primitive).
@@ -156,7 +132,7 @@ private:
     const Ray& ray, const PrimitiveId* skipFirst, const PrimitiveId* skipLast) const;
 
   /// The triangles that meet what is between the ray's limits, in any order.
-  void candidates(const Ray& ray, std::vector<Triangles::iterator>& found) const
+  void candidates(const Ray& ray, std::vector<Triangles::Iterator>& found) const
   {
     const auto out = std::back_inserter(found);
     const bool begins = std::isfinite(ray.tMin);
@@ -164,27 +140,27 @@ private:
     const Kernel::Vector_3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
     if (begins && ends && ray.tMin < ray.tMax)
     {
-      this->tree_.all_intersected_primitives(
+      this->triangles_.tree().all_intersected_primitives(
         Kernel::Segment_3(pointAt(ray, ray.tMin), pointAt(ray, ray.tMax)), out);
     }
     else if (begins && !ends)
     {
-      this->tree_.all_intersected_primitives(Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
+      this->triangles_.tree().all_intersected_primitives(
+        Kernel::Ray_3(pointAt(ray, ray.tMin), direction), out);
     }
     else if (ends && !begins)
     {
-      this->tree_.all_intersected_primitives(
+      this->triangles_.tree().all_intersected_primitives(
         Kernel::Ray_3(pointAt(ray, ray.tMax), -direction), out);
     }
     else // unlimited, or one point, which is no segment to CGAL
     {
-      this->tree_.all_intersected_primitives(Kernel::Line_3(pointOf(ray.origin), direction), out);
+      this->triangles_.tree().all_intersected_primitives(
+        Kernel::Line_3(Triangles::pointAt(ray.origin), direction), out);
     }
   }
 
-  const Surface& surface_;
   Triangles triangles_;
-  Tree tree_;
 };
 
 std::vector<ExactHit> EpeckTree::exactHits(
@@ -196,20 +172,19 @@ std::vector<ExactHit> EpeckTree::exactHits(
   {
     return exact;
   }
-  std::vector<Triangles::iterator> found;
+  std::vector<Triangles::Iterator> found;
   this->candidates(ray, found);
 
   const Vector direction = { Rational(ray.direction[0]), Rational(ray.direction[1]),
     Rational(ray.direction[2]) };
   for (const auto& triangle : found)
   {
-    const auto index = static_cast<std::size_t>(triangle - this->triangles_.begin());
-    const PrimitiveId id = this->surface_.hittable()[index];
+    const PrimitiveId id = this->triangles_.primitive(triangle);
     if (std::binary_search(skipFirst, skipLast, id))
     {
       continue;
     }
-    const auto v = this->surface_.vertices(id);
+    const auto v = this->triangles_.surface().vertices(id);
     const Vector normal = cross(difference(v[1], v[0]), difference(v[2], v[0]));
     const Rational under = dot(normal, direction);
     if (under == 0)
