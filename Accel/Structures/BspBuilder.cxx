@@ -52,7 +52,6 @@ public:
     , blocks_(blocks)
     , progress_(progress)
     , frame_(bspFrameOf(surface.bounds()))
-    , axisSplitter_(kdSahSplitter())
   {
   }
 
@@ -108,7 +107,7 @@ private:
     }
     Division best;
     best.cost = testCost(task.references.size());
-    const KdSplit across = this->axisSplitter_(task.cell, task.references);
+    const KdSplit across = this->axisPlanes_.best(task.cell, task.references);
     if (across.axis >= 0)
     {
       BspPlane plane;
@@ -262,7 +261,7 @@ private:
   LeafBlocks& blocks_;
   BuildProgress& progress_;
   WideBvhFrame frame_;
-  KdSplitter axisSplitter_;
+  KdPlaneSearch axisPlanes_;
   BspNodes tree_;
 };
 

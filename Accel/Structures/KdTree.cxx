@@ -17,10 +17,7 @@ class KdTree
 public:
   KdTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress)
-    : tree_(buildKdTreeNodes(surface,
-        options.kdBuild == KdBuild::SpatialMedian ? spatialMedianSplitter(options.leafSize)
-                                                  : kdSahSplitter(),
-        options.maxDepth, blocks, progress))
+    : tree_(buildKdTreeNodes(surface, options, blocks, progress))
   {
   }
 

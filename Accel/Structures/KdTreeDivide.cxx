@@ -7,47 +7,53 @@
 
 namespace lumitree
 {
-namespace
-{
 
-void addPart(
-  const Surface& surface, const KdReference& whole, const Box& cell, std::vector<KdReference>& side)
+KdSide sideOf(const KdReference& reference, const KdSplit& split)
 {
-  const bool quadric = surface.isQuadric(whole.id);
-  const Box bounds =
-    commonBox(quadric ? cell : clippedBounds(surface.vertices(whole.id), cell), whole.bounds);
-  if (!bounds.empty() && !(quadric && !mayMeet(surface.quadric(whole.id), bounds)))
+  const double lower = reference.bounds.lower[split.axis];
+  const double upper = reference.bounds.upper[split.axis];
+  const bool inPlane = lower == split.position && upper == split.position;
+  if (inPlane ? split.inPlaneBelow : upper <= split.position)
   {
-    side.push_back({ bounds, whole.id });
+    return KdSide::Below;
   }
+  return inPlane || lower >= split.position ? KdSide::Above : KdSide::Both;
 }
 
-} // namespace
+Box partOf(const Surface& surface, const KdReference& reference, const Box& cell)
+{
+  if (!surface.isQuadric(reference.id))
+  {
+    return commonBox(clippedBounds(surface.vertices(reference.id), cell), reference.bounds);
+  }
+  const Box bounds = commonBox(cell, reference.bounds);
+  return !bounds.empty() && mayMeet(surface.quadric(reference.id), bounds) ? bounds : Box{};
+}
 
 KdSides divideReferences(const Surface& surface, const Box& cell,
   const std::vector<KdReference>& references, const KdSplit& split)
 {
-  const auto axis = static_cast<std::size_t>(split.axis);
-  const KdCells cells(cell, axis, split.position);
+  const KdCells cells(cell, static_cast<std::size_t>(split.axis), split.position);
   KdSides sides;
+  const auto addPart = [&](
+                         const KdReference& whole, const Box& part, std::vector<KdReference>& side)
+  {
+    const Box bounds = partOf(surface, whole, part);
+    if (!bounds.empty())
+    {
+      side.push_back({ bounds, whole.id });
+    }
+  };
   for (const KdReference& r : references)
   {
-    const double lower = r.bounds.lower[axis];
-    const double upper = r.bounds.upper[axis];
-    const bool inPlane = lower == split.position && upper == split.position;
-    if (inPlane ? split.inPlaneBelow : upper <= split.position)
+    const KdSide side = sideOf(r, split);
+    if (side == KdSide::Both)
     {
-      sides.below.push_back(r);
+      addPart(r, cells.below, sides.below);
+      addPart(r, cells.above, sides.above);
+      continue;
     }
-    else if (inPlane || lower >= split.position)
-    {
-      sides.above.push_back(r);
-    }
-    else
-    {
-      addPart(surface, r, cells.below, sides.below);
-      addPart(surface, r, cells.above, sides.above);
-    }
+    (side == KdSide::Below ? sides.below : sides.above).push_back(r);
   }
   return sides;
 }

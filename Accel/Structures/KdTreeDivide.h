@@ -9,6 +9,18 @@
 namespace lumitree
 {
 
+/// Where a reference goes when its cell is divided.
+enum class KdSide : std::uint32_t
+{
+  Below = 0,
+  Above = 1,
+  Both = 2 ///< in parts, of which one may be empty
+};
+[[nodiscard]] KdSide sideOf(const KdReference& reference, const KdSplit& split);
+
+/// What a reference has inside a part of its cell, rounded outward; empty where that is nothing.
+[[nodiscard]] Box partOf(const Surface& surface, const KdReference& reference, const Box& cell);
+
 /// What reaches into the two parts of a cell.
 struct KdSides
 {
