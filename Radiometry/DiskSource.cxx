@@ -205,15 +205,24 @@ SourceSample DiskSource::sample(const Vec3& position, double u, double v) const
 
 std::optional<double> DiskSource::radiance(const Vec3& position, const Vec3& direction) const
 {
+  return this->sumOfCrossings(position, direction);
+}
+
+void DiskSource::crossings(
+  const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const
+{
   const double height = dot(this->frame_.z, position - this->centre_);
   const double towards = dot(this->frame_.z, direction);
   if (this->heightOver(position) == 0.0 || height * towards >= 0.0)
   {
-    return 0.0;
+    return;
   }
-  const Vec3 local =
-    this->frame_.toLocal(position - this->centre_ - (height / towards) * direction);
-  return std::hypot(local[0], local[1]) <= this->radius_ ? this->radiance_ : 0.0;
+  const double t = -height / towards;
+  const Vec3 local = this->frame_.toLocal(position - this->centre_ + t * direction);
+  if (std::hypot(local[0], local[1]) <= this->radius_ && this->radiance_ > 0.0)
+  {
+    to.push_back({ t, this->radiance_ });
+  }
 }
 
 std::optional<Box> DiskSource::bounds() const

@@ -153,7 +153,12 @@ Sightline PolygonSource::sightline(const Vec3& position) const
 
 std::optional<double> PolygonSource::radiance(const Vec3& position, const Vec3& direction) const
 {
-  double sum = 0.0;
+  return this->sumOfCrossings(position, direction);
+}
+
+void PolygonSource::crossings(
+  const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const
+{
   for (const EmittingPolygon& polygon : this->polygons_)
   {
     const double way = PolygonSource::side(polygon, position);
@@ -162,8 +167,7 @@ std::optional<double> PolygonSource::radiance(const Vec3& position, const Vec3& 
     {
       continue;
     }
-    const Vec3 to = polygon.corners[0] - position;
-    const double t = dot(polygon.normal, to) / towards;
+    const double t = dot(polygon.normal, polygon.corners[0] - position) / towards;
     const Vec3 point = position + t * direction;
     // Crossings of the outline by a line in the plane of the polygon, along its two larger axes.
     const Vec3 size = { std::fabs(polygon.normal[0]), std::fabs(polygon.normal[1]),
@@ -183,9 +187,11 @@ std::optional<double> PolygonSource::radiance(const Vec3& position, const Vec3& 
         inside = !inside;
       }
     }
-    sum += inside ? polygon.radiance : 0.0;
+    if (inside && polygon.radiance > 0.0)
+    {
+      to.push_back({ t, polygon.radiance });
+    }
   }
-  return sum;
 }
 
 double PolygonSource::shownSolidAngle(const Triangle& triangle, const Vec3& position) const

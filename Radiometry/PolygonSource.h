@@ -45,6 +45,8 @@ public:
   [[nodiscard]] std::optional<Box> bounds() const override { return this->bounds_; }
   [[nodiscard]] std::optional<double> radiance(
     const Vec3& position, const Vec3& direction) const override;
+  void crossings(
+    const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const override;
 
 private:
   /// A part of a polygon, for samples.

@@ -33,6 +33,13 @@ struct SourceSample
   double weight = 0.0; ///< sr: 1 / probability density; 0: nothing of the source is seen
 };
 
+/// Where a ray meets a source that has radiance.
+struct SourceCrossing
+{
+  double t = 0.0; ///< in units of the ray's direction; infinity: the source is infinitely far
+  double radiance = 0.0; ///< > 0
+};
+
 /// A source of light. It answers for itself alone: what is in the way is a separate factor, from
 /// Accel. Values are in the units of one LightSystem (W or lm, W/sr or cd, W/m² or lx). Positions
 /// are in the units of the coordinates; each source knows how many metres that is.
@@ -87,6 +94,16 @@ public:
   /// direction; nothing where the source has no radiance (it is a point, or a line).
   [[nodiscard]] virtual std::optional<double> radiance(
     const Vec3& position, const Vec3& direction) const;
+
+  /// Appends where the half-line from a position in a direction (any length but 0) meets the
+  /// source, as if nothing, not even the source itself, were in the way: the parts of which
+  /// radiance() is the sum. Nothing of a source that has no radiance.
+  virtual void crossings(
+    const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const;
+
+protected:
+  /// radiance() of sources that override crossings().
+  [[nodiscard]] double sumOfCrossings(const Vec3& position, const Vec3& direction) const;
 };
 
 } // namespace lumitree

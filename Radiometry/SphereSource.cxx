@@ -103,11 +103,23 @@ SourceSample SphereSource::sample(const Vec3& position, double u, double v) cons
 
 std::optional<double> SphereSource::radiance(const Vec3& position, const Vec3& direction) const
 {
-  const Sight sight(position, this->centre_, this->radius_);
+  return this->sumOfCrossings(position, direction);
+}
+
+void SphereSource::crossings(
+  const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const
+{
   const Vec3 unit = checks::unit(direction, "A direction to a sphere");
-  return dot(unit, sight.towards) > 0.0 && length(cross(unit, sight.towards)) < sight.sine
-    ? this->radiance_
-    : 0.0;
+  const Vec3 way = this->centre_ - position;
+  const double along = dot(unit, way);
+  const Vec3 beside = way - along * unit;
+  const double depth = this->radius_ * this->radius_ - dot(beside, beside);
+  // Product of the two roots, without cancellation; below 0 within the sphere.
+  const double outside = (length(way) - this->radius_) * (length(way) + this->radius_);
+  if (along > 0.0 && depth > 0.0 && outside >= 0.0 && this->radiance_ > 0.0)
+  {
+    to.push_back({ outside / (along + std::sqrt(depth)) / length(direction), this->radiance_ });
+  }
 }
 
 std::optional<Box> SphereSource::bounds() const

@@ -34,6 +34,8 @@ public:
   [[nodiscard]] SourceSample sample(const Vec3& position, double u, double v) const override;
   [[nodiscard]] std::optional<double> radiance(
     const Vec3& position, const Vec3& direction) const override;
+  void crossings(
+    const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const override;
 
 private:
   double radiance_;

@@ -186,6 +186,12 @@ SourceSample TubeSource::sample(const Vec3& position, double u, double v) const
 
 std::optional<double> TubeSource::radiance(const Vec3& position, const Vec3& direction) const
 {
+  return this->sumOfCrossings(position, direction);
+}
+
+void TubeSource::crossings(
+  const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const
+{
   // The nearer crossing of the infinite cylinder, in the tube's own frame.
   const Vec3 o = this->frame_.toLocal(position - this->begin_);
   const Vec3 d = this->frame_.toLocal(checks::unit(direction, "A direction to a tube"));
@@ -195,11 +201,14 @@ std::optional<double> TubeSource::radiance(const Vec3& position, const Vec3& dir
   const double inside = b * b - a * c;
   if (c <= 0.0 || b >= 0.0 || inside <= 0.0)
   {
-    return 0.0;
+    return;
   }
   const double t = c / (-b + std::sqrt(inside));
   const double z = o[2] + t * d[2];
-  return z >= 0.0 && z <= this->length_ ? this->radiance_ : 0.0;
+  if (z >= 0.0 && z <= this->length_ && this->radiance_ > 0.0)
+  {
+    to.push_back({ t / lumitree::length(direction), this->radiance_ });
+  }
 }
 
 std::optional<Box> TubeSource::bounds() const

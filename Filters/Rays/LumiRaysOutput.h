@@ -4,6 +4,7 @@
 #define Lumitree_Filters_Rays_LumiRaysOutput_h
 
 #include "LumiRayInput.h"
+#include "LumitreeFiltersRaysModule.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -14,7 +15,8 @@ namespace lumitree::filters
 /// Makes `output`, of the same class as `input`, a dataset with one point per ray or, of lines, one
 /// cell per segment: the input itself where it is that already; else its segments as line cells,
 /// each with the cell data of its polyline. Returns the attributes that hold a tuple per ray.
-vtkDataSetAttributes* makeRaysOutput(vtkDataSet* input, const RayInput& rays, vtkDataSet* output);
+LUMITREEFILTERSRAYS_EXPORT vtkDataSetAttributes* makeRaysOutput(
+  vtkDataSet* input, const RayInput& rays, vtkDataSet* output);
 
 } // namespace lumitree::filters
 

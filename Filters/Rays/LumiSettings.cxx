@@ -13,11 +13,6 @@
 namespace lumitree::filters
 {
 
-namespace
-{
-
-/// The name of the array chosen with SetInputArrayToProcess(0, …), by name or as an attribute (the
-/// vectors, say); "" when none is.
 std::string directionArray(vtkAlgorithm* filter, vtkDataSet* rays)
 {
   vtkInformation* chosen = filter->GetInputArrayInformation(0);
@@ -30,8 +25,6 @@ std::string directionArray(vtkAlgorithm* filter, vtkDataSet* rays)
     : nullptr;
   return array && array->GetName() ? array->GetName() : "";
 }
-
-} // namespace
 
 BuildOptions buildOptions(vtkLumiStructureAlgorithm* filter)
 {

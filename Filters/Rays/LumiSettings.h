@@ -12,6 +12,8 @@
 
 #include "vtkDataSet.h"
 
+#include <string>
+
 namespace lumitree::filters
 {
 
@@ -22,6 +24,11 @@ namespace lumitree::filters
 [[nodiscard]] LUMITREEFILTERSRAYS_EXPORT QueryOptions queryOptions(
   vtkLumiStructureAlgorithm* filter, Job& job);
 ///@}
+
+/// The name of the array chosen with SetInputArrayToProcess(0, …), by name or as an attribute (the
+/// vectors, say) of the rays; "" when none is.
+[[nodiscard]] LUMITREEFILTERSRAYS_EXPORT std::string directionArray(
+  vtkAlgorithm* filter, vtkDataSet* rays);
 
 /// Reads the rays of the filter's input port 1. False after one vtkErrorMacro.
 bool readRays(vtkLumiRayAlgorithm* filter, vtkDataObject* input, RayInput& rays);

@@ -11,6 +11,7 @@
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
 `accuracy_chart`            speed against accuracy of every structure on a mesh
 `irradiance`                light on a mesh, with shadows and units, to a tolerance
+`radiance`                  along rays, with what surfaces reflect; `radiance_around` points
 `radiant_intensity`         what a surface or a light sends in each direction
 `solid_angle`               of a surface, or of its visible part, from points
 `sensor_grid`               sensors on a plane, by EN 12464-1
@@ -63,6 +64,7 @@ from .lights import (
     sun_light,
     tube_light,
 )
+from .looking import Radiance, radiance, radiance_around
 from .radiometry import EstimateMethod, Irradiance, irradiance
 from .raycast import Caster, Hits, cast, inside
 from .rayset import rays
@@ -86,6 +88,7 @@ __all__ = [
     "LumitreeWarning",
     "Precision",
     "Query",
+    "Radiance",
     "ReceiverLocation",
     "Scene",
     "Shape",
@@ -109,6 +112,8 @@ __all__ = [
     "luminous_efficacy",
     "photometric_light",
     "point_light",
+    "radiance",
+    "radiance_around",
     "radiant_intensity",
     "rays",
     "read",

@@ -29,6 +29,7 @@ CHOICES = {
     "Model": "Uniform CieOvercast CieGeneral AllWeather",
     "LevelQuantity": "ZenithRadiance HorizontalIrradiance",
     "Emission": "TotalFlux Exitance Radiance",
+    "Look": "AlongRays ByDirection",
     "Mode": "ParallelGrid SphereAroundPoint Random",
     "RandomOrigins": "InBox OnSphere",
     "NodesAs": "Outlines Cells",

@@ -30,6 +30,7 @@ PROXIES = {
         "LumiCameraRaysOfScene",
         "LumiImplicitSurfaceAtPoints",
         "LumiIrradiance",
+        "LumiRadiance",
         "LumiRadiantIntensity",
         "LumiRayCast",
         "LumiRayDisagreement",
