@@ -78,6 +78,42 @@ inline ClosedScene closedScene(bool torus, const Place& place, int detail)
     place.offset, place.grid, torus };
 }
 
+/// A room of long axis-aligned edges: walls of strips from end to end, 20 times as long as high.
+inline ClosedScene closedRoom(const Place& place)
+{
+  constexpr int strips = 7;
+  constexpr std::array<double, 3> half = { 1000, 100, 50 };
+  std::vector<std::array<Vec3, 3>> triangles;
+  for (int k = 0; k < 3; ++k)
+  {
+    // Walls across k; along x they are whole, along y and z cut into strips.
+    const int a = (k + 1) % 3;
+    const int b = (k + 2) % 3;
+    const int cutsA = a == 0 ? 1 : strips;
+    const int cutsB = b == 0 ? 1 : strips;
+    for (int cell = 0; cell < 2 * cutsA * cutsB; ++cell)
+    {
+      const auto corner = [&](int alongA, int alongB)
+      {
+        Vec3 p;
+        p[k] = cell % 2 == 0 ? -half[k] : half[k];
+        p[a] = half[a] * (2.0 * (cell / 2 % cutsA + alongA) / cutsA - 1);
+        p[b] = half[b] * (2.0 * (cell / 2 / cutsA + alongB) / cutsB - 1);
+        for (double& x : p)
+        {
+          x = place.grid > 0.0 ? std::nearbyint(x / place.grid) * place.grid : x;
+        }
+        return p + place.offset;
+      };
+      triangles.push_back({ corner(0, 0), corner(1, 0), corner(1, 1) });
+      triangles.push_back({ corner(0, 0), corner(1, 1), corner(0, 1) });
+    }
+  }
+  return { std::string("room of ") + place.name,
+    place.floats ? surfaceOf<float>(triangles) : surfaceOf<double>(triangles), place.offset,
+    place.grid, false };
+}
+
 /// A point well inside, on the surface's grid.
 inline Vec3 inside(const ClosedScene& c, Uniform& uniform)
 {

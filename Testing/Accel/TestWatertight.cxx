@@ -27,6 +27,10 @@ const std::vector<ClosedScene>& surfaces()
         made.push_back(closedScene(torus, place, 20));
       }
     }
+    for (const Place& place : closedPlaces())
+    {
+      made.push_back(closedRoom(place));
+    }
     return made;
   }();
   return all;
@@ -84,7 +88,7 @@ TEST(Watertight, ExactNamesTheLowestTriangleAroundTheVertexHit)
   {
     // From inside a sphere about its centre every ray meets the surface once, so that a vertex
     // aimed at is what is hit; its coordinates on a grid make the aim exact.
-    if (c.torus || c.grid == 0.0)
+    if (c.torus || c.grid == 0.0 || c.surface->pointCount() == 3 * c.surface->size())
     {
       continue;
     }
@@ -152,6 +156,81 @@ TEST(Watertight, RandomRaysCrossAClosedSurfaceAnOddNumberOfTimes)
       std::all_of(counts.begin(), counts.end(), [](std::uint32_t n) { return n % 2 == 1; }))
       << c.name;
   }
+}
+
+std::size_t misses(const Accelerator& accelerator, const Rays& rays, Precision precision)
+{
+  std::vector<Hit> hits(rays.size());
+  accelerator.closest(rays.batch(), hits.data(), with(precision));
+  return static_cast<std::size_t>(std::count_if(
+    hits.begin(), hits.end(), [](const Hit& hit) { return hit.primitive == noPrimitive; }));
+}
+
+TEST(Watertight, FastLosesNoRandomRay)
+{
+  for (const ClosedScene& c : surfaces())
+  {
+    const Rays all = raysFromInside(c, Aim::Random, 20000, 53);
+    for (const Structure structure : { Structure::WideBvh, Structure::KdTree })
+    {
+      EXPECT_EQ(misses(*build(c.surface, optionsOf(structure)), all, Precision::Fast), 0u)
+        << c.name;
+    }
+  }
+}
+
+TEST(Watertight, RandomRaysDoNotGoToExactArithmetic)
+{
+  // 375,000 rays. Fewer than one in a million is promised.
+  for (const ClosedScene& c : surfaces())
+  {
+    const Rays all = raysFromInside(c, Aim::Random, 25000, 59);
+    std::vector<Hit> hits(all.size());
+    EXPECT_EQ(
+      build(c.surface)->closest(all.batch(), hits.data(), with(Precision::Exact)).exactTests, 0u)
+      << c.name;
+  }
+}
+
+/// A scene at UTM coordinates, moved to the origin in doubles, then cast to floats.
+TEST(Watertight, RecentredFloatsNameTheSameTriangleOnRandomRays)
+{
+  std::size_t rays = 0;
+  std::size_t others = 0;
+  for (const bool torus : { false, true })
+  {
+    const Place& utm = closedPlaces().back();
+    const ClosedScene c = closedScene(torus, utm, 20);
+    const auto moved = surfaceOf<float>(
+      [&]
+      {
+        std::vector<std::array<Vec3, 3>> triangles;
+        for (PrimitiveId i = 0; i < c.surface->size(); ++i)
+        {
+          const auto v = c.surface->vertices(i);
+          triangles.push_back({ v[0] - c.offset, v[1] - c.offset, v[2] - c.offset });
+        }
+        return triangles;
+      }());
+    const Rays there = raysFromInside(c, Aim::Random, 100000, 61);
+    Rays here;
+    for (std::size_t i = 0; i < there.size(); ++i)
+    {
+      const Ray ray = there.batch()[i];
+      here.add(ray.origin - c.offset, ray.direction);
+    }
+    std::vector<Hit> truth(there.size());
+    std::vector<Hit> found(there.size());
+    build(c.surface)->closest(there.batch(), truth.data(), with(Precision::Exact));
+    build(moved)->closest(here.batch(), found.data(), with(Precision::Fast));
+    for (std::size_t i = 0; i < truth.size(); ++i)
+    {
+      others += truth[i].primitive == found[i].primitive ? 0 : 1;
+    }
+    rays += truth.size();
+  }
+  // One in 100,000.
+  EXPECT_LE(others * 100000, rays);
 }
 
 TEST(Watertight, SliversAreAsTightAsAnythingElse)

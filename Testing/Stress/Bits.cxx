@@ -143,7 +143,16 @@ struct Answer
   std::uint8_t any = 0;
   std::uint32_t count = 0;
   std::vector<Hit> all;
+  std::vector<Hit> ties;
+  std::uint32_t crossings = 0; ///< of Exact
 };
+
+std::vector<Hit> listOf(const AllHits& hits, std::size_t ray)
+{
+  const auto at = [&](std::size_t i)
+  { return hits.hits.begin() + static_cast<std::ptrdiff_t>(hits.offsets[i]); };
+  return { at(ray), at(ray + 1) };
+}
 
 std::vector<Answer> ask(
   const Accelerator& accelerator, const Rays& rays, Precision precision, const Manner& manner)
@@ -173,15 +182,21 @@ std::vector<Answer> ask(
     std::vector<std::uint8_t> any(part.size());
     std::vector<std::uint32_t> counts(part.size());
     AllHits all;
+    AllHits ties;
+    std::vector<std::uint32_t> crossings(part.size());
     accelerator.closest(part.batch(), closest.data(), options);
     accelerator.any(part.batch(), any.data(), options);
     accelerator.count(part.batch(), counts.data(), options);
     accelerator.all(part.batch(), all, options);
+    accelerator.ties(part.batch(), ties, options);
+    if (precision == Precision::Exact)
+    {
+      accelerator.crossings(part.batch(), crossings.data(), options);
+    }
     for (std::size_t i = 0; i < part.size(); ++i)
     {
-      answers[order[first + i]] = { closest[i], any[i], counts[i],
-        { all.hits.begin() + static_cast<std::ptrdiff_t>(all.offsets[i]),
-          all.hits.begin() + static_cast<std::ptrdiff_t>(all.offsets[i + 1]) } };
+      answers[order[first + i]] = { closest[i], any[i], counts[i], listOf(all, i), listOf(ties, i),
+        crossings[i] };
     }
   }
   return answers;
@@ -202,17 +217,30 @@ void add(Answer& a, const std::vector<PrimitiveId>& original, Hasher& everything
   {
     everything.add(hit);
   }
-  for (Hit& hit : a.all)
+  for (const Hit& hit : a.ties)
   {
-    hit.primitive = original[hit.primitive];
+    everything.add(hit);
   }
-  std::sort(a.all.begin(), a.all.end(),
-    [](const Hit& x, const Hit& y) { return x.primitive < y.primitive; });
+  for (std::vector<Hit>* const hits : { &a.all, &a.ties })
+  {
+    for (Hit& hit : *hits)
+    {
+      hit.primitive = original[hit.primitive];
+    }
+    std::sort(hits->begin(), hits->end(),
+      [](const Hit& x, const Hit& y) { return x.primitive < y.primitive; });
+  }
   sets.add(a.any);
   sets.add(a.count);
+  sets.add(a.crossings);
   for (const Hit& hit : a.all)
   {
     sets.add(hit);
+  }
+  // All ties report the t of the first, and which that is changes with the numbers.
+  for (const Hit& hit : a.ties)
+  {
+    sets.add(hit.primitive);
   }
 }
 

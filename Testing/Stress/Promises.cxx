@@ -90,6 +90,21 @@ std::string brokenByWatertight(const Hit* hits, std::size_t number, const Truth&
   return {};
 }
 
+/// From inside a closed surface every ray passes through it an odd number of times, wherever.
+std::string brokenParity(const Accelerator& accelerator, const StressCase& c)
+{
+  std::vector<std::uint32_t> crossings(c.rays.size());
+  accelerator.crossings(c.rays.batch(), crossings.data(), with(Precision::Exact));
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    if (crossings[i] % 2 == 0)
+    {
+      return describe("an even number of crossings", c, i);
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 std::vector<Truth> truthOf(const StressCase& c)
@@ -133,6 +148,14 @@ std::vector<Truth> truthOf(const StressCase& c)
 std::string brokenPromise(const Accelerator& accelerator, Precision precision, const StressCase& c,
   const std::vector<Truth>& truth)
 {
+  if (c.inside && precision == Precision::Exact)
+  {
+    const std::string broken = brokenParity(accelerator, c);
+    if (!broken.empty())
+    {
+      return broken;
+    }
+  }
   const RayBatch batch = c.rays.batch();
   Answers a;
   a.closest.resize(batch.size);

@@ -324,7 +324,7 @@ StressCase unwelded(Uniform& uniform)
   {
     triangles.push_back(welded->vertices(i));
   }
-  StressCase c{ "Unwelded", surfaceOf<float>(triangles), {} };
+  StressCase c{ "Unwelded", surfaceOf<float>(triangles), {}, true };
   for (std::size_t i = 0; i < fewRays; ++i)
   {
     const auto onGrid = [](double x) { return std::nearbyint(x * 1024) / 1024; };

@@ -17,6 +17,7 @@ struct StressCase
   std::string name;
   std::shared_ptr<const Surface> surface;
   Rays rays;
+  bool inside = false; ///< the surface is closed, and every ray starts inside
 };
 
 /// One case of each kind. Kinds are in the same order, and have the same names, for every seed.

@@ -1,0 +1,310 @@
+# SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The ways in which mutants.py breaks the core. A mutant changes each "old", which its file has once, to
+"new". The tests named are run first: they are the likeliest to notice."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Edit(NamedTuple):
+    file: str
+    old: str
+    new: str
+
+
+class Mutant(NamedTuple):
+    what: str
+    tests: str
+    edits: tuple[Edit, ...]
+
+
+def mutant(what: str, tests: str, *edits: str) -> Mutant:
+    """edits: file, old, new, and again."""
+    return Mutant(what, tests, tuple(Edit(*edits[i : i + 3]) for i in range(0, len(edits), 3)))
+
+
+RAY_BOX = "Accel/Kernel/RayBox.h"
+WIDE_RAY = "Accel/Structures/WideRay-inl.h"
+WIDE_WALK = "Accel/Structures/WideBvhWalk.cxx"
+FILTER = "Accel/Kernel/BlockFilter-inl.h"
+EDGES = "Accel/Kernel/EdgeFilter.h"
+CROSSING = "Accel/Kernel/Crossing.h"
+PRECISIONS = "Accel/Kernel/Precisions.h"
+QUERIES = "Accel/Kernel/Queries.h"
+FINISH = "Accel/Kernel/Finish.cxx"
+FORMULAS = "Accel/Exact/Formulas.h"
+PREDICATES = "Accel/Exact/Predicates.cxx"
+LATTICE = "Accel/Exact/Lattice.h"
+FIXED = "Accel/Exact/FixedInteger.h"
+KD_WALK = "Accel/Structures/KdTreeWalk.h"
+BSP_WALK = "Accel/Structures/BspWalk.h"
+
+BOXES = [
+    mutant("No pad in the boxes' slab test in double", "Queries Boxes",
+           RAY_BOX, "relativePad = 0x1p-40", "relativePad = 0.0"),
+    mutant("No pads there, and < for <=", "Boxes",
+           RAY_BOX, "relativePad = 0x1p-40", "relativePad = 0.0",
+           RAY_BOX, "absolutePad = 0x1p-1000", "absolutePad = 0.0",
+           RAY_BOX, "return tEnter <= tExit && tEnter <= tStop;", "return tEnter < tExit && tEnter < tStop;"),
+    mutant("< for <= where a box is met at the end of the segment", "Boxes Stress",
+           RAY_BOX, "return tEnter <= tExit && tEnter <= tStop;", "return tEnter <= tExit && tEnter < tStop;"),
+    mutant("A NaN slab rules the box out", "Boxes Cells",
+           RAY_BOX, "exit = tFar < exit ? tFar : exit;", "exit = exit < tFar ? exit : tFar;"),
+    mutant("A NaN slab forgets the other slabs' entry", "Cells",
+           RAY_BOX, "enter = tNear > enter ? tNear : enter;", "enter = enter > tNear ? enter : tNear;"),
+    mutant("-0 is taken for a positive direction", "Boxes",
+           RAY_BOX, "std::signbit(d)", "d < 0.0"),
+    mutant("A reciprocal that overflows constrains", "Boxes",
+           RAY_BOX, "if (d != 0.0 && std::isinf(this->reciprocal_[k]))", "if (false)"),
+    mutant("A plane's t that overflows rules the box out", "Boxes Stress",
+           RAY_BOX, "if (this->passesBeside(box))", "if (true)"),
+    mutant("< for <= where what waits begins at the best hit, in four structures", "Stress",
+           KD_WALK, "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
+           BSP_WALK, "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
+           "Accel/Structures/Bvh.cxx", "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
+           "Accel/Structures/Octree.cxx", "if (current.tEnter > tStop)", "if (current.tEnter >= tStop)"),
+]  # fmt: skip
+
+WIDE_BVH = [
+    mutant("No pad in the eight-wide tree's slab test", "Numbers Watertight",
+           WIDE_RAY, "slabPad = 0x1p-21f", "slabPad = 0.0f"),
+    mutant("The far planes' pad with the sign of the near ones'", "Stress Watertight",
+           WIDE_RAY, "Float4::all(1.0f + pad)", "Float4::all(1.0f - pad)"),
+    mutant("No interval around the eight-wide tree's origin", "Stress Watertight",
+           WIDE_RAY, "absolute(o) * Double4::all(0x1p-22) + Double4::all(0x1p-120)", "Double4::all(0.0)"),
+    mutant("The wrong end of the origin's interval for far planes", "Stress Watertight",
+           WIDE_RAY, "this->originFar[k] = negative ? high[k] : low[k];",
+           "this->originFar[k] = negative ? low[k] : high[k];"),
+    mutant("The eight-wide tree's boxes are not rounded outward", "Watertight Stress",
+           "Accel/Structures/BvhFrame.h", "v - (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v"),
+    mutant("A float reciprocal that overflows constrains", "Boxes Stress",
+           WIDE_RAY, "std::fabs(this->nearReciprocal[k]) > 0x1p118f", "false"),
+    mutant("Far origins overflow: nothing is met from there", "Boxes Stress",
+           WIDE_RAY, "std::fill_n(this->originNear, 3, 0x1p100f);", "std::fill_n(this->originNear, 3, -0x1p100f);",
+           WIDE_RAY, "std::fill_n(this->originFar, 3, -0x1p100f);", "std::fill_n(this->originFar, 3, 0x1p100f);"),
+    mutant("Near and far planes exchanged for one sign", "Triangles",
+           WIDE_WALK, "wideArity * (negative ? k + 3 : k)", "wideArity * k"),
+    mutant("Boxes behind half of the way to the best hit are passed over", "Stress",
+           WIDE_WALK, "this->stack.enter[this->stack.height] <= this->stop",
+           "this->stack.enter[this->stack.height] <= 0.5f * this->stop"),
+    mutant("Children are pushed in another order than their entries", "Numbers Stress",
+           WIDE_WALK, "compress(ordered(hn::LoadU(du, node.child)), waiting, bits)",
+           "compress(hn::LoadU(du, node.child), waiting, bits)"),
+    mutant("AVX2's table of lanes leaves out the last lane", "Numbers",
+           WIDE_WALK, "lane < 8; ++lane", "lane < 7; ++lane"),
+    mutant("Lane by lane, the mask is read at the place and not at the lane", "Numbers",
+           WIDE_WALK, "(met >> lane & 1u)", "(met >> i & 1u)"),
+    mutant("When all eight children are met none is pushed", "Stress Numbers",
+           WIDE_WALK, "static_cast<int>(hwy::PopCount(bits))", "static_cast<int>(hwy::PopCount(bits) & 7)"),
+    mutant("An octant's order names half of the lanes twice", "Stress Builders",
+           "Accel/Structures/WideBvhOrder.cxx",
+           "this->visit(rightIsNear ? split.right : split.left, octant, order, at);",
+           "this->visit(rightIsNear ? split.left : split.right, octant, order, at);"),
+    mutant("A ray that ends takes another one off the way", "Stress AgainstBruteForce",
+           WIDE_WALK, "onTheWay[i] = onTheWay[--active];", "--active;"),
+    mutant("The next ray fed is not started", "Stress AgainstBruteForce",
+           WIDE_WALK, "traveller.await(*traveller.state);\n        ++i;", "++i;"),
+    mutant("Interleaved rays share one state", "Stress AgainstBruteForce",
+           WIDE_WALK, "travellers[i].await(states[i]);", "travellers[i].await(states[0]);"),
+]  # fmt: skip
+
+LEAF = [
+    mutant("The bound of edge functions halved", "FilterBound",
+           EDGES, "edgeBound = 16 * 0x1p-53", "edgeBound = 8 * 0x1p-53"),
+    mutant("The bound of edge functions a hundredth", "FilterBound",
+           EDGES, "edgeBound = 16 * 0x1p-53", "edgeBound = 0.16 * 0x1p-53"),
+    mutant("Nothing added to the bound for underflow", "FilterBound Triangles",
+           EDGES, "this->boundFloor = 0x1p-1020 * (1.0 + this->oneNorm);", "this->boundFloor = 0.0;"),
+    mutant("The block's filter has no bound", "Triangles Stress",
+           FILTER, "Double4::all(FilterRay::edgeBound / 2)", "Double4::all(0.0)"),
+    mutant("A candidate gets its bound from the block's first lane", "Stress FilterBound",
+           FILTER, "e.error = this->at(this->error, lane);", "e.error = this->at(this->error, 0);"),
+    mutant("A candidate gets an edge function of its neighbour", "Triangles Stress",
+           FILTER, "e.w = this->at(this->f[2], lane);", "e.w = this->at(this->f[2], lane ^ 1);"),
+    mutant("The block's longest edge is that of its first triangle", "Stress FilterBound",
+           "Accel/Kernel/TriangleBlock.h", "edge > block.edge ? edge : block.edge",
+           "lane == 0 && edge > block.edge ? edge : block.edge"),
+    mutant("Contraction: single triangles' edge functions by fma, blocks' without", "FilterBound Numbers",
+           EDGES, "(dx * (ey * pz - ez * py) + dy * (ez * px - ex * pz)) + dz * (ex * py - ey * px)",
+           "std::fma(dz, ex * py - ey * px, dx * (ey * pz - ez * py) + dy * (ez * px - ex * pz))"),
+    mutant("Contraction is allowed", "StyleFloatingPointFlags",
+           "cmake/LumitreeCompiler.cmake", ":-ffp-contract=off>", ":-ffp-contract=fast>"),
+    mutant("The interval of t without its rounding", "FilterBound Triangles",
+           CROSSING, "0x1p-49 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020", "0.0"),
+    mutant("The interval of t a third as wide as the weights allow", "FilterBound",
+           CROSSING, "3.0 * relative * (1.0 + 4.0 * relative) * spread", "0.1 * relative * spread"),
+    mutant("The interval of t trusts weights within their error", "FilterBound",
+           CROSSING, "if (relative < 1.0 / 12)", "if (true)"),
+    mutant("t along x, whatever the direction", "Triangles",
+           CROSSING, "const int k = dominantAxis(ray.direction);", "const int k = 0;"),
+]  # fmt: skip
+
+DECISIONS = [
+    mutant("Undecided triangles are hits: the exact sign is dropped", "Triangles",
+           PRECISIONS, "if (!exact::lineMeetsTriangle(state.ray, vertices))", "if (false)"),
+    mutant("Undecided triangles are misses", "Triangles",
+           PRECISIONS, "if (!exact::lineMeetsTriangle(state.ray, vertices))", "if (true)"),
+    mutant("Watertight takes what is undecided for a miss", "Triangles Watertight",
+           PRECISIONS, "return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh",
+           "return surelyHit(x.edges) && std::isfinite(x.t) && x.tHigh"),
+    mutant("Watertight compares limits with the computed t", "Triangles Stress",
+           PRECISIONS, "x.tHigh >= state.ray.tMin &&\n      x.tLow <= state.ray.tMax",
+           "x.t >= state.ray.tMin &&\n      x.t <= state.ray.tMax"),
+    mutant("Of equal t the highest primitive wins", "Triangles",
+           PRECISIONS, "order == 0 && a.primitive < b.primitive", "order == 0 && a.primitive > b.primitive"),
+    mutant("t is compared as computed, never exactly", "Triangles Stress",
+           PRECISIONS, "const int order = compare(state, a, b);",
+           "const int order = a.t < b.t ? -1 : (a.t > b.t ? 1 : 0);"),
+    mutant("tMin is compared with the computed t", "Triangles Stress",
+           PRECISIONS, "return exact::compareCrossing(state.ray, vertices, limit) >= 0;", "return x.t >= limit;"),
+    mutant("< for <= at tMin", "Triangles Stress",
+           PRECISIONS, "return exact::compareCrossing(state.ray, vertices, limit) >= 0;",
+           "return exact::compareCrossing(state.ray, vertices, limit) > 0;"),
+    mutant("< for <= at tMax", "Triangles Stress",
+           PRECISIONS, "return exact::compareCrossing(state.ray, vertices, state.ray.tMax) <= 0;",
+           "return exact::compareCrossing(state.ray, vertices, state.ray.tMax) < 0;"),
+    mutant("< for <= at a triangle's edges", "Triangles",
+           FORMULAS, "(u >= 0 && v >= 0 && w >= 0)", "(u > 0 && v > 0 && w > 0)"),
+    mutant("The search ends before the upper end of the interval of t", "Stress",
+           PRECISIONS, "static double stopAt(const Candidate& c) { return c.tHigh; }",
+           "static double stopAt(const Candidate& c) { return 0.999 * c.t; }"),
+    mutant("A wide interval of t is not settled exactly", "Triangles Stress",
+           FINISH, "tHigh - tLow > 0x1p-26 * std::fabs(t)", "tHigh - tLow > 1e3 * std::fabs(t)"),
+    mutant("t may descend along a ray", "Triangles Stress Queries AgainstBruteForce",
+           FINISH, "std::max(hit.t, hits.back().t)", "hit.t"),
+    mutant("Ties report each its own t", "Queries",
+           FINISH, "sameT ? hits.back().t", "sameT ? hit.t"),
+    mutant("t is not kept within the segment", "Triangles Stress",
+           FINISH, "hit.t = std::min(std::max(hit.t, state.ray.tMin), state.ray.tMax);", ""),
+    mutant("Fast orders by t, wherever the ray enters the primitive's box", "AgainstBruteForce Stress",
+           PRECISIONS, "c.key = std::max(x.t, tEnter);", "c.key = x.t;"),
+    mutant("Fast hits a primitive whose box it does not meet", "AgainstBruteForce Stress",
+           PRECISIONS, "return met;", "return true;"),
+    mutant("Fast: of equal keys the highest primitive wins", "AgainstBruteForce Triangles",
+           PRECISIONS, "std::tie(a.key, a.primitive, a.root) < std::tie(b.key, b.primitive, b.root)",
+           "std::tie(a.key, b.primitive, a.root) < std::tie(b.key, a.primitive, b.root)"),
+    mutant("A primitive found in two leaves counts twice", "Cells Stress",
+           QUERIES, "found.erase(std::unique(found.begin(), found.end(),\n"
+           "                [](const Candidate& a, const Candidate& b)\n"
+           "                { return a.primitive == b.primitive && a.root == b.root; }),\n    found.end());", ""),
+    mutant("Ties: only what comes first of equal t", "Queries",
+           QUERIES, "if (order <= 0)\n    {\n      state.found.push_back(c);",
+           "if (order < 0)\n    {\n      state.found.push_back(c);"),
+    mutant("A skip set is read to its first primitive only", "SkipSets",
+           "Accel/Kernel/RayState.h", "std::binary_search(this->skipFirst, this->skipLast, id)",
+           "(this->skipFirst != this->skipLast && *this->skipFirst == id)"),
+    mutant("The host's rounding mode stays", "Numbers",
+           "Accel/FloatEnvironment.h", "std::fesetround(FE_TONEAREST);", ""),
+    mutant("The host's flushing of subnormals stays", "Numbers",
+           "Accel/FloatEnvironment.h", "_mm_setcsr(_mm_getcsr() & ~0x8040u);", ""),
+]  # fmt: skip
+
+PASSAGES = [
+    mutant("The moved ray: only the first component of the move counts", "Queries",
+           FORMULAS, "const int y = x != 0 ? x : a[1].sign();\n  return y != 0 ? y : a[2].sign();", "return x;"),
+    mutant("The moved ray: the last component of the move does not count", "Queries",
+           FORMULAS, "return y != 0 ? y : a[2].sign();", "return y;"),
+    mutant("An edge function of 0 is positive, whichever way the edge runs", "Queries",
+           FORMULAS, "return sign != 0 ? sign : firstSign(cross(between<Number>(q, p), d));",
+           "return sign != 0 ? sign : 1;"),
+    mutant("Crossings counts closed triangles", "Queries",
+           PRECISIONS, "!exact::movedLineMeetsTriangle(state.ray, vertices)",
+           "!exact::lineMeetsTriangle(state.ray, vertices)"),
+    mutant("At a limit the move's direction is turned round", "Queries",
+           FORMULAS, "return -firstSign(normal)", "return firstSign(normal)"),
+    mutant("A limit is not moved", "Queries",
+           PRECISIONS, "exact::compareMovedCrossing(state.ray, vertices, limit) > 0",
+           "exact::compareCrossing(state.ray, vertices, limit) > 0"),
+]  # fmt: skip
+
+NUMBERS = [
+    mutant("The tail of what does not fit the lattice is dropped", "ExactStages ExactPredicates",
+           LATTICE, "exact &= truncate(from[k] * this->scale_, to[k]) * this->unit_ == from[k];",
+           "truncate(from[k] * this->scale_, to[k]);"),
+    mutant("The lattice is two bits too fine: products overflow", "ExactStages ExactPredicates",
+           LATTICE, "? 61 : 124", "? 63 : 124"),
+    mutant("The wide lattice is two bits too fine", "ExactStages ExactPredicates",
+           LATTICE, "? 61 : 124", "? 61 : 126"),
+    mutant("A carry between the words of an integer is lost", "ExactStages ExactPredicates",
+           FIXED, "carry += static_cast<UInt128>(a.limb(i)) * b.limb(j) + r.limb(i + j);",
+           "carry = static_cast<UInt128>(a.limb(i)) * b.limb(j) + r.limb(i + j);"),
+    mutant("The borrow of a difference is lost", "ExactStages ExactPredicates",
+           FIXED, "const UInt128 d = static_cast<UInt128>(a.limbs_[i]) - b.limbs_[i] - borrow;",
+           "const UInt128 d = static_cast<UInt128>(a.limbs_[i]) - b.limbs_[i];"),
+    mutant("A negative factor is taken for a large one", "ExactStages ExactPredicates",
+           FIXED, "takeOff<M>(r, a, b.negative());", ""),
+    mutant("What a quotient cuts off does not count in rounding", "ExactPredicates ExactStages",
+           "Accel/Exact/Dyadic.cxx", "leading | (cut ? 1u : 0u)", "leading"),
+    mutant("Half is always rounded up", "ExactPredicates ExactStages",
+           "Accel/Exact/Dyadic.cxx", "dropped == half && kept % 2 == 1", "dropped == half"),
+    mutant("Two t are compared without the signs of their denominators", "ExactPredicates",
+           FORMULAS, ".sign() * t0.under.sign() * t1.under.sign();", ".sign() * t0.under.sign();"),
+    mutant("Nearly no area is no area", "ExactPredicates Surface",
+           PREDICATES, "return collinear<Dyadic>(t);", "return true;"),
+]  # fmt: skip
+
+STRUCTURES = [
+    mutant("The first leaf with a hit ends the walk of a KD-tree", "KdTree",
+           KD_WALK, "tStop = visitor.leaf({ node.first, node.count, current.tEnter });",
+           "const double before = tStop;\n"
+           "tStop = visitor.leaf({ node.first, node.count, current.tEnter });\n"
+           "if (tStop < before)\n{\nreturn;\n}"),
+    mutant("A ray in a split plane visits one side", "KdTree",
+           KD_WALK, "tHigh < current.tExit ? tHigh : current.tExit", "current.tExit < tHigh ? current.tExit : tHigh"),
+    mutant("Clipped triangles are not rounded outward", "KdTree",
+           "Accel/Structures/KdTreeClip.cxx", "most * 0x1p-49 + 0x1p-1060", "0.0"),
+    mutant("A triangle that reaches across a plane is held on one side", "KdTree Cells",
+           "Accel/Structures/KdTreeDivide.cxx", "addPart(surface, r, cells.above, sides.above);", ""),
+    mutant("The grid goes to one cell at a time, past those at its corners", "Grid Cells",
+           "Accel/Structures/GridSweep.h",
+           "first[k] = k == this->fresh_ ? this->axes_[k].last : this->axes_[k].first;",
+           "first[k] = this->axes_[k].last;"),
+    mutant("The grid's planes are crossed without a pad", "Grid Cells",
+           "Accel/Structures/GridSweep.h",
+           "return std::fabs(t) * RayBox::relativePad + RayBox::absolutePad;", "return 0.0;"),
+    mutant("The first cell with a hit ends the walk of a grid", "Cells Grid",
+           "Accel/Structures/Grid.cxx", "} while (sweep.advance(visitor.tStop()));",
+           "} while (!(visitor.tStop() < ray.tMax()) && sweep.advance(visitor.tStop()));"),
+    mutant("The first leaf with a hit ends the walk of an octree", "Cells Octree",
+           "Accel/Structures/Octree.cxx",
+           "tStop = visitor.leaf({ this->firstBlock_[current.node], node.count, current.tEnter });\n        continue;",
+           "const double before = tStop;\n"
+           "tStop = visitor.leaf({ this->firstBlock_[current.node], node.count, current.tEnter });\n"
+           "if (tStop < before)\n{\nreturn;\n}\ncontinue;"),
+    mutant("The first leaf with a hit ends the walk of a BSP-tree", "Cells Stress",
+           BSP_WALK, "tStop = visitor.leaf({ node.first, node.count, current.tEnter });",
+           "const double before = tStop;\n"
+           "tStop = visitor.leaf({ node.first, node.count, current.tEnter });\n"
+           "if (tStop < before)\n{\nreturn;\n}"),
+    mutant("The BSP-tree's planes are crossed without a pad", "Cells Stress",
+           BSP_WALK, "this->low = t - pad;\n      this->high = t + pad;", "this->low = t;\n      this->high = t;"),
+    mutant("A ray beside a plane of a BSP-tree visits the far side", "Cells Stress",
+           BSP_WALK, "this->nearAbove = start.value > 0.0;", "this->nearAbove = start.value <= 0.0;"),
+    mutant("Triangles that touch a cell within rounding are left out", "TriangleBoxOverlap",
+           "Accel/Structures/TriangleBoxOverlap.cxx", "relativeError = 0x1p-49", "relativeError = -0x1p-20"),
+    mutant("Bounds of spatial splits are not rounded outward", "Builders Stress Watertight",
+           "Accel/Structures/BvhSpatial.cxx", "low - std::fabs(low) * 0x1p-23", "low + std::fabs(low) * 0x1p-23"),
+    mutant("Half-spaces of overlap queries allow for no rounding", "Queries",
+           "Accel/Kernel/OverlapIndex.cxx", "offset + (0x1p-50 * sum + 0x1p-52 * std::fabs(offset) + floor)", "offset"),
+]  # fmt: skip
+
+QUADRICS = [
+    mutant("A double root counts twice", "Quadrics",
+           "Accel/Exact/Quadratic.cxx", "return 1 + discriminant(*this).sign();",
+           "return discriminant(*this).sign() >= 0 ? 2 : 0;"),
+    mutant("Of x + y sqrt(d) only x has a sign", "Quadrics",
+           "Accel/Exact/Quadratic.cxx", "return sx * (x * x - y * y * d).sign();", "return sx;"),
+    mutant("Numbers with bounds know no rounding", "Quadrics",
+           "Accel/Kernel/Bounded.h", "roundoff = 0x1p-53", "roundoff = 0.0"),
+    mutant("A discriminant's sign is taken as computed", "Quadrics",
+           "Accel/Kernel/QuadricRoots.cxx", "const Bounded d = b * b - twice(twice(a * c));",
+           "const Bounded d = Bounded((b * b - twice(twice(a * c))).value);"),
+    mutant("Clip boxes of quadrics are open", "Quadrics",
+           "Accel/Exact/Quadratic.cxx",
+           "signAt(Quadratic::along(ray, k, quadric.clip.upper[k]), root) > 0",
+           "signAt(Quadratic::along(ray, k, quadric.clip.upper[k]), root) >= 0"),
+]  # fmt: skip
+
+MUTANTS = BOXES + WIDE_BVH + LEAF + DECISIONS + PASSAGES + NUMBERS + STRUCTURES + QUADRICS
