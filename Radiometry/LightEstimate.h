@@ -110,9 +110,9 @@ struct EstimateReport
 /// finds nothing between; where it finds few occluders, these are cut out of the light and
 /// Lambert's sum taken of what is left (Clipping, Horizon), exact to about 1e-12; where many,
 /// hierarchical bounds, and rays where these leave more undecided than the tolerance. Rays go by
-/// the Owen-scrambled Sobol sequence in eight randomisations, in batches that double until the
-/// interval is below the tolerance. The interval is Student's of 95 % over the randomisations,
-/// widened by what the rays could have missed; measured with the stopping rule on, it covers the
+/// the Owen-scrambled Sobol sequence, which doubles until the interval is below the tolerance. The
+/// interval is Student's of 95 % over eight blocks of the sequence, narrowed by how much better
+/// they are together than if they were independent, and widened by what the rays could have missed; measured with the stopping rule on, it covers the
 /// true value at more than 90 % of penumbra receivers (Testing/Radiometry/TestLightEstimate.cxx).
 ///
 /// The numbers do not depend on the number of threads. Throws UnsupportedQuery when the occluders

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Radiometry/Estimate/PolygonEstimator.h"
 
+#include "Radiometry/Estimate/PieceSamples.h"
 #include "Radiometry/Frame.h"
 #include "Radiometry/LambertPolygon.h"
 #include "Radiometry/PolygonTriangles.h"
-#include "Radiometry/SphericalTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -298,16 +298,8 @@ Estimate PolygonEstimator::estimate(
 void PolygonEstimator::sample(const Polygon& polygon, const View& view, const Amounts& certain,
   const Amounts& open, double tolerance, EstimateWorkspace& workspace, Estimate& result) const
 {
-  const PieceSampler sampler(workspace.pieces);
-  const RaySample sampled = workspace.sampler.run(
-    view, open, certain.main,
-    [&](double u, double v)
-    {
-      SourceSample sample = sampler(u, v);
-      sample.radiance = polygon.radiance;
-      return sample;
-    },
-    this->scene_.sampling(tolerance));
+  const RaySample sampled = workspace.sampler.run(view, open, certain.main,
+    PieceSamples(workspace.pieces, polygon.radiance), this->scene_.sampling(tolerance));
   result.value = certain;
   result.value.add(sampled.value);
   result.lower = std::max(certain.main, result.value.main - sampled.halfWidth);
@@ -315,67 +307,6 @@ void PolygonEstimator::sample(const Polygon& polygon, const View& view, const Am
   result.method = EstimateMethod::Sampling;
   result.rays = sampled.rays;
   result.missed = sampled.missed;
-}
-
-PieceSampler::PieceSampler(const std::vector<ConePiece>& pieces)
-{
-  for (const ConePiece& piece : pieces)
-  {
-    for (int i = 2; i < piece.count; ++i)
-    {
-      Triangle triangle;
-      triangle.corners = { piece.corners[0], piece.corners[i - 1], piece.corners[i] };
-      triangle.solidAngle = polygonSolidAngle(triangle.corners.data(), 3);
-      if (triangle.solidAngle > 0.0)
-      {
-        this->solidAngle_ += triangle.solidAngle;
-        this->triangles_.push_back(triangle);
-      }
-    }
-  }
-}
-
-SourceSample PieceSampler::operator()(double u, double v) const
-{
-  // Outside of these the sphere's triangle has no digits left.
-  constexpr double smallest = 3e-4;
-  constexpr double largest = 6.22;
-  SourceSample result;
-  double rest = u * this->solidAngle_;
-  for (std::size_t i = 0; i < this->triangles_.size(); ++i)
-  {
-    const Triangle& triangle = this->triangles_[i];
-    if (rest >= triangle.solidAngle && i + 1 < this->triangles_.size())
-    {
-      rest -= triangle.solidAngle;
-      continue;
-    }
-    const double share = std::min(1.0, rest / triangle.solidAngle);
-    const Vec3& a = triangle.corners[0];
-    const Vec3 area = cross(triangle.corners[1] - a, triangle.corners[2] - a);
-    if (triangle.solidAngle > smallest && triangle.solidAngle < largest)
-    {
-      const Vec3 direction = sampleSphericalTriangle({ 0.0, 0.0, 0.0 }, triangle.corners, share, v);
-      const double t = dot(area, a) / dot(area, direction);
-      if (t > 0.0 && std::isfinite(t))
-      {
-        result.sightline.direction = t * direction;
-        result.weight = this->solidAngle_;
-        return result;
-      }
-    }
-    const double root = std::sqrt(share);
-    const Vec3 way = (1.0 - root) * a + (root * (1.0 - v)) * triangle.corners[1] +
-      (root * v) * triangle.corners[2];
-    const double r = length(way);
-    result.sightline.direction = way;
-    // Even over the area: by its own density over the solid angle.
-    result.weight = r > 0.0
-      ? this->solidAngle_ / triangle.solidAngle * 0.5 * std::fabs(dot(area, way)) / (r * r * r)
-      : 0.0;
-    return result;
-  }
-  return result;
 }
 
 } // namespace lumitree

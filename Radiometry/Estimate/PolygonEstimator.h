@@ -45,26 +45,6 @@ private:
   std::vector<Polygon> polygons_;
 };
 
-/// Samples pieces of light by solid angle, those that look small by area.
-class PieceSampler
-{
-public:
-  explicit PieceSampler(const std::vector<ConePiece>& pieces);
-
-  /// A way from the eye to a point of a piece. The weight is 0 where there is no piece.
-  [[nodiscard]] SourceSample operator()(double u, double v) const;
-
-private:
-  struct Triangle
-  {
-    std::array<Vec3, 3> corners;
-    double solidAngle;
-  };
-
-  std::vector<Triangle> triangles_;
-  double solidAngle_ = 0.0;
-};
-
 } // namespace lumitree
 
 #endif

@@ -5,10 +5,10 @@
 
 #include "Accel/Accelerator.h"
 #include "Radiometry/Estimate/Amounts.h"
+#include "Radiometry/Estimate/LightSamples.h"
 #include "Radiometry/ShadowRays.h"
 #include "Radiometry/Source.h"
 
-#include <functional>
 #include <vector>
 
 namespace lumitree
@@ -34,36 +34,45 @@ struct RaySample
 };
 
 /// Estimates which share of some light is visible.
+///
+/// The rays are one Owen-scrambled Sobol sequence, the interval is of the means of eight blocks of
+/// it: each block is a net, as even as the whole, and what one leaves out others have, so that the
+/// mean of all is better than eight independent ones would be.
 class RaySampler
 {
 public:
-  using Direction = std::function<SourceSample(double u, double v)>;
-
-  /// full: the light with nothing in the way, of which `direction` gives samples; what is seen of
-  /// it is full × Σ f V / Σ f (a ratio estimate, exact where all is lit). known: light that is
-  /// certain beside it; the relative tolerance counts it in.
-  RaySample run(const View& view, const Amounts& full, double known, const Direction& direction,
+  /// full: the light with nothing in the way, of which there are samples; what is seen of it is
+  /// full × Σ f V / Σ f (a ratio estimate, exact where all is lit). known: light that is certain
+  /// beside it; the relative tolerance counts it in.
+  RaySample run(const View& view, const Amounts& full, double known, const LightSamples& samples,
     const RaySamplerOptions& options);
 
 private:
-  static constexpr std::uint32_t randomisations = 8;
+  static constexpr std::uint32_t blockCount = 8;
 
-  void gather(const View& view, const Direction& direction, std::uint32_t begin, std::uint32_t end,
-    const RaySamplerOptions& options);
-
-  /// Sums over the samples of one randomisation.
+  /// Sums over the samples of one block.
   struct Sums
   {
     double all = 0.0;    ///< Σ f
     double hidden = 0.0; ///< Σ f (1 − V)
   };
 
-  std::vector<Sums> sums_;
-  Amounts hidden_;   ///< Σ f (1 − V) of all randomisations
+  /// Casts the rays begin … end of the sequence, which begin with that block.
+  void cast(const View& view, const LightSamples& samples, std::uint32_t begin, std::uint32_t end,
+    std::uint32_t firstBlock, const RaySamplerOptions& options);
+  void draw(const View& view, const LightSamples& samples, std::uint32_t begin, std::uint32_t end,
+    std::uint32_t firstBlock, const RaySamplerOptions& options);
+
+  std::array<Sums, blockCount> blocks_;
+  Amounts hidden_;   ///< Σ f (1 − V) of all
   double all_ = 0.0; ///< Σ f of the main amount
   std::uint32_t rays_ = 0;
-  std::vector<Amounts> lights_; ///< of the rays of the batch
-  std::vector<std::uint32_t> owners_;
+  std::size_t batch_ = 0; ///< how many of what follows are rays of the batch
+  std::vector<std::array<double, 2>> points_;
+  std::vector<SourceSample> samples_;
+  std::vector<double> lights_;         ///< main amounts of the rays of the batch
+  std::vector<std::uint32_t> sources_; ///< which sample each ray is
+  std::vector<std::uint32_t> owners_;  ///< which block
   std::vector<double> origins_;
   std::vector<double> directions_;
   std::vector<double> tMins_;

@@ -176,7 +176,10 @@ Estimate SkyEstimator::estimate(
   }
   if (!this->cut(view, workspace, result))
   {
-    return this->sampleAll(view, result, tolerance, workspace);
+    return CosineSkySamples::suits(this->sky_, view)
+      ? this->sampleAll(
+          view, result, tolerance, CosineSkySamples(this->sky_, view.normal), workspace)
+      : this->sampleAll(view, result, tolerance, workspace);
   }
   result.value.main = std::clamp(result.value.main, 0.0, result.unoccluded);
   result.lower = result.value.main;

@@ -28,7 +28,7 @@ public:
     const std::uint32_t index = scramble(i, this->order_);
     // Reversed bits of the first dimension are the index itself.
     const std::uint32_t x = reverse(hash(index, this->x_));
-    const std::uint32_t y = scramble(second(index), this->y_);
+    const std::uint32_t y = reverse(hash(reversedSecond(index), this->y_));
     return { (x + 0.5) * 0x1p-32, (y + 0.5) * 0x1p-32 };
   }
 
@@ -67,14 +67,16 @@ private:
     return reverse(hash(reverse(x), seed));
   }
 
-  static std::uint32_t second(std::uint32_t i)
+  /// The second dimension, its bits reversed: a product with Pascal's triangle modulo 2, whose
+  /// powers of two are shifts (A. G. M. Ahmed, An Implementation Algorithm of 2D Sobol Sequence,
+  /// Fast, Elegant, and Compact, EGSR 2024).
+  static std::uint32_t reversedSecond(std::uint32_t x)
   {
-    std::uint32_t result = 0;
-    for (std::uint32_t v = 0x80000000u; i != 0; i >>= 1, v ^= v >> 1)
-    {
-      result ^= (i & 1u) != 0 ? v : 0u;
-    }
-    return result;
+    x ^= x >> 16;
+    x ^= (x & 0xff00ff00u) >> 8;
+    x ^= (x & 0xf0f0f0f0u) >> 4;
+    x ^= (x & 0xccccccccu) >> 2;
+    return x ^ (x & 0xaaaaaaaau) >> 1;
   }
 
   std::uint32_t order_;

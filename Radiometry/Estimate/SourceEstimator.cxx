@@ -176,9 +176,15 @@ Estimate SourceEstimatorBase::unoccluded(const View& view, EstimateWorkspace&) c
 Estimate SourceEstimatorBase::sampleAll(
   const View& view, const Estimate& full, double tolerance, EstimateWorkspace& workspace) const
 {
-  const RaySample sampled = workspace.sampler.run(
-    view, full.value, 0.0, [&](double u, double v) { return this->source_.sample(view.eye, u, v); },
-    this->scene_.sampling(tolerance));
+  return this->sampleAll(
+    view, full, tolerance, WholeSourceSamples(this->source_, view.eye), workspace);
+}
+
+Estimate SourceEstimatorBase::sampleAll(const View& view, const Estimate& full, double tolerance,
+  const LightSamples& samples, EstimateWorkspace& workspace) const
+{
+  const RaySample sampled =
+    workspace.sampler.run(view, full.value, 0.0, samples, this->scene_.sampling(tolerance));
   Estimate result = full;
   result.value = sampled.value;
   result.lower = std::max(0.0, sampled.value.main - sampled.halfWidth);

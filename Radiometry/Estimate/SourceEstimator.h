@@ -90,9 +90,14 @@ protected:
   /// The closed form: nothing hides.
   [[nodiscard]] Estimate unoccluded(const View& view, EstimateWorkspace& workspace) const;
 
-  /// Rays to the whole source, given its closed form.
+  /// Rays to the whole source, given its closed form; in directions that the source draws, or in
+  /// those given.
+  ///@{
   [[nodiscard]] Estimate sampleAll(
     const View& view, const Estimate& full, double tolerance, EstimateWorkspace& workspace) const;
+  [[nodiscard]] Estimate sampleAll(const View& view, const Estimate& full, double tolerance,
+    const LightSamples& samples, EstimateWorkspace& workspace) const;
+  ///@}
 
   const Source& source_;
   const EstimateScene& scene_;
