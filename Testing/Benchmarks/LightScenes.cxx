@@ -100,7 +100,7 @@ void addFloor(Mesh& mesh, double low, double high)
   mesh.addQuad({ low, low, 0 }, { high, low, 0 }, { high, high, 0 }, { low, high, 0 });
 }
 
-/// Whether a place is inside, or within five millimetres of it.
+/// Whether a place is inside, or within a millimetre of it.
 bool insideConvex(const std::array<std::array<double, 2>, 4>& corners, double x, double y)
 {
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -108,7 +108,7 @@ bool insideConvex(const std::array<std::array<double, 2>, 4>& corners, double x,
     const auto& a = corners[i];
     const auto& b = corners[(i + 1) % corners.size()];
     const double left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-    if (left < -0.005 * std::hypot(b[0] - a[0], b[1] - a[1]))
+    if (left < -0.001 * std::hypot(b[0] - a[0], b[1] - a[1]))
     {
       return false;
     }
