@@ -49,6 +49,20 @@ void checkGrid(const BuildOptions& options)
 
 } // namespace
 
+void requireValid(const BuildOptions& options)
+{
+  checkRange("leaf size", options.leafSize, 1, 1024);
+  checkRange("greatest depth", options.maxDepth, 1, 64);
+  checkRange("number of threads", options.threads, 0, std::numeric_limits<int>::max());
+  checkRange("BVH build", static_cast<int>(options.bvhBuild), 0, bvhBuildCount - 1);
+  checkRange("KD-tree build", static_cast<int>(options.kdBuild), 0, kdBuildCount - 1);
+  checkGrid(options);
+  if (!(options.expectedRays >= 0.0))
+  {
+    throw std::invalid_argument("the number of rays expected must not be negative");
+  }
+}
+
 Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
   : options_(options)
   , surface_(std::move(surface))
@@ -80,6 +94,30 @@ void Accelerator::overlap(
   this->overlapIndex_->overlap(region, primitives, limit);
 }
 
+std::shared_ptr<const Accelerator> Accelerator::refit(
+  std::shared_ptr<const Surface> surface, int threads, JobControl* control) const
+{
+  if (!surface)
+  {
+    throw std::invalid_argument("there is no surface to refit to");
+  }
+  const FloatEnvironment environment;
+  return surface->size() == this->surface().size()
+    ? this->refitted(std::move(surface), threads, control)
+    : nullptr;
+}
+
+std::shared_ptr<const Accelerator> Accelerator::refitted(
+  std::shared_ptr<const Surface>, int, JobControl*) const
+{
+  return nullptr;
+}
+
+bool Accelerator::saveTo(SaveWriter&) const
+{
+  return false;
+}
+
 std::shared_ptr<const Accelerator> build(
   std::shared_ptr<const Surface> surface, const BuildOptions& asked, JobControl* control)
 {
@@ -87,16 +125,7 @@ std::shared_ptr<const Accelerator> build(
   {
     throw std::invalid_argument("there is no surface to build over");
   }
-  checkRange("leaf size", asked.leafSize, 1, 1024);
-  checkRange("greatest depth", asked.maxDepth, 1, 64);
-  checkRange("number of threads", asked.threads, 0, std::numeric_limits<int>::max());
-  checkRange("BVH build", static_cast<int>(asked.bvhBuild), 0, bvhBuildCount - 1);
-  checkRange("KD-tree build", static_cast<int>(asked.kdBuild), 0, kdBuildCount - 1);
-  checkGrid(asked);
-  if (!(asked.expectedRays >= 0.0))
-  {
-    throw std::invalid_argument("the number of rays expected must not be negative");
-  }
+  requireValid(asked);
   // Builders compare and convert coordinates: with subnormals flushed they would enclose other
   // numbers.
   const FloatEnvironment environment;

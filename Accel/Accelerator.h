@@ -12,6 +12,7 @@
 #include "Accel/Ray.h"
 #include "Accel/Surface.h"
 
+#include <iosfwd>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -20,6 +21,7 @@ namespace lumitree
 {
 
 class OverlapIndex;
+class SaveWriter;
 
 /// A query that a structure does not answer (a precision it cannot promise, for example).
 class LUMITREE_ACCEL_EXPORT UnsupportedQuery : public std::runtime_error
@@ -108,14 +110,35 @@ public:
   virtual void overlap(const ConvexRegion& region, std::vector<PrimitiveId>& primitives,
     std::size_t limit = std::numeric_limits<std::size_t>::max()) const;
 
+  /// The same nodes over a surface whose points have moved since, with boxes that fit them anew: far
+  /// quicker than building, and answers are those of the new surface, exactly as after a build.
+  /// Rays cost more the more the points have moved against each other: compare sahCost with
+  /// sahCostBuilt in statistics(). Meant for the same triangles and quadrics in the same order.
+  ///
+  /// Null where it cannot be done, and building is the way: of structures that are not hierarchies
+  /// of boxes around primitives (all but Bvh and WideBvh; of these SpatialSplits, whose boxes are
+  /// around parts), where the number of primitives is another, and where one can be hit now that
+  /// could not be before (a coordinate was not finite, an area was 0). Throws BuildStopped.
+  /// threads: 0: as many as oneTBB gives.
+  [[nodiscard]] std::shared_ptr<const Accelerator> refit(
+    std::shared_ptr<const Surface> surface, int threads = 0, JobControl* control = nullptr) const;
+
   /// The structure as a flat list of nodes; one node (a leaf) where there is no hierarchy.
   [[nodiscard]] virtual HierarchyView hierarchy() const = 0;
 
 protected:
+  /// refit, of a surface with as many primitives.
+  [[nodiscard]] virtual std::shared_ptr<const Accelerator> refitted(
+    std::shared_ptr<const Surface> surface, int threads, JobControl* control) const;
+
+  /// Writes what a back end's load reads; false where there is no such thing.
+  virtual bool saveTo(SaveWriter& writer) const;
+
   BuildStatistics statistics_;
   BuildOptions options_;
 
 private:
+  friend LUMITREE_ACCEL_EXPORT void save(const Accelerator&, std::ostream&);
   friend LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> build(
     std::shared_ptr<const Surface>, const BuildOptions&, JobControl*);
 

@@ -4,6 +4,7 @@
 #define Lumitree_Accel_BuildOptions_h
 
 #include "Accel/Choices.h"
+#include "Accel/Export.h"
 
 #include <array>
 #include <cstddef>
@@ -46,19 +47,33 @@ struct BuildOptions
   }
 };
 
+/// Throws std::invalid_argument for options out of range.
+LUMITREE_ACCEL_EXPORT void requireValid(const BuildOptions& options);
+
+/// How an accelerator came about.
+enum class Origin : int
+{
+  Built = 0,
+  Refitted = 1, ///< the nodes of another one, with boxes for points that moved
+  Loaded = 2    ///< from a file
+};
+
 /// What building took and what came of it.
 struct BuildStatistics
 {
+  Origin origin = Origin::Built;
   std::size_t nodes = 0; ///< interior nodes and leaves
   std::size_t leaves = 0;
   int depth = 0;        ///< of the deepest leaf; the root has depth 0
   double sahCost = 0.0; ///< expected cost of a random ray that meets the root: (Σ area(n) c(n)) /
                         ///< area(root), c = 1 for an interior node, number of primitives for a leaf
+  /// What sahCost was when the nodes were built, before any refit: how much worse rays fare since.
+  double sahCostBuilt = 0.0;
   std::size_t references = 0; ///< primitives counted once per leaf that holds them
   double duplication =
     0.0; ///< references / primitives that can be hit; 1 where nothing is held twice
   std::size_t memory = 0; ///< bytes of the structure, the surface not included
-  double buildSeconds = 0.0;
+  double buildSeconds = 0.0; ///< to build, refit or load it
   std::string choice; ///< why Auto chose the structure; empty where it was asked for by name
 };
 

@@ -28,13 +28,13 @@ struct Registry::Internals
 Registry::Registry()
   : internals_(std::make_unique<Internals>())
 {
-  this->add({ Structure::BruteForce, "every primitive, every ray", buildBruteForce });
-  this->add({ Structure::Bvh, "binary bounding volume hierarchy", buildBvh });
-  this->add({ Structure::WideBvh, "eight-wide bounding volume hierarchy", buildWideBvh });
-  this->add({ Structure::Grid, "uniform grid", buildGrid });
-  this->add({ Structure::Octree, "octree", buildOctree });
-  this->add({ Structure::KdTree, "KD-tree", buildKdTree });
-  this->add({ Structure::BspTree, "BSP-tree", buildBspTree });
+  this->add({ Structure::BruteForce, "every primitive, every ray", buildBruteForce, loadBruteForce });
+  this->add({ Structure::Bvh, "binary bounding volume hierarchy", buildBvh, loadBvh });
+  this->add({ Structure::WideBvh, "eight-wide bounding volume hierarchy", buildWideBvh, loadWideBvh });
+  this->add({ Structure::Grid, "uniform grid", buildGrid, loadGrid });
+  this->add({ Structure::Octree, "octree", buildOctree, loadOctree });
+  this->add({ Structure::KdTree, "KD-tree", buildKdTree, loadKdTree });
+  this->add({ Structure::BspTree, "BSP-tree", buildBspTree, loadBspTree });
 #if defined(LUMITREE_EMBREE_MAJOR)
   this->add({ Structure::Embree, "Intel Embree, in float; shown as one node", buildEmbree });
 #endif

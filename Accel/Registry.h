@@ -12,6 +12,8 @@
 namespace lumitree
 {
 
+class SaveReader;
+
 /// A structure that no back end of this process offers. The message says which are there.
 class LUMITREE_ACCEL_EXPORT UnknownStructure : public std::runtime_error
 {
@@ -28,6 +30,10 @@ struct Backend
   std::function<std::shared_ptr<const Accelerator>(
     std::shared_ptr<const Surface>, const BuildOptions&, JobControl*)>
     build;
+  /// From what the accelerator saved (Save.h); empty where it saves nothing.
+  std::function<std::shared_ptr<const Accelerator>(
+    std::shared_ptr<const Surface>, const BuildOptions&, SaveReader&, JobControl*)>
+    load = nullptr;
 };
 
 /// The back ends of this process. It lives in this shared library, so that there is one; other

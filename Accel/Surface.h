@@ -84,6 +84,9 @@ public:
   [[nodiscard]] std::size_t quadricCount() const { return this->quadrics_.size(); }
   [[nodiscard]] ArrayView::Scalar scalar() const { return this->points_.values.type; }
   [[nodiscard]] Vec3 point(std::size_t i) const { return this->points_.values.triple(i); }
+  /// All coordinates as they are stored, pointCount() triples of scalar().
+  [[nodiscard]] const void* pointData() const { return this->points_.values.data; }
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return this->triangles_; }
   /// i is a triangle.
   [[nodiscard]] const Triangle& triangle(PrimitiveId i) const { return this->triangles_[i]; }
 

@@ -22,6 +22,15 @@ using LeafBlocks = std::variant<TriangleBlocks<float>, TriangleBlocks<double>>;
   return TriangleBlocks<double>{};
 }
 
+/// Primitive i of the leaf that begins with that block.
+[[nodiscard]] inline PrimitiveId primitiveAt(
+  const LeafBlocks& blocks, std::uint32_t firstBlock, std::uint32_t i)
+{
+  return std::visit([&](const auto& store)
+    { return store[firstBlock + i / blockWidth].id[i % blockWidth]; },
+    blocks);
+}
+
 } // namespace lumitree
 
 #endif

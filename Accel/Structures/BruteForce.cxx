@@ -20,6 +20,15 @@ public:
     std::visit([&](auto& store) { store.append(surface, all.data(), all.size()); }, blocks);
   }
 
+  BruteForce(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader&)
+    : BruteForce(surface, options, blocks, progress)
+  {
+  }
+
+  /// There is nothing to tell.
+  void save(const Surface&, const BuildOptions&, const LeafBlocks&, SaveWriter&) const {}
+
   [[nodiscard]] const void* walked() const { return this; }
   static StructureWalks walks() { return baselineWalks<BruteForce>(); }
 
@@ -55,6 +64,12 @@ std::shared_ptr<const Accelerator> buildBruteForce(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<BruteForce>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadBruteForce(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<BruteForce>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

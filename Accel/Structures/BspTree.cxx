@@ -4,6 +4,7 @@
 
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/BspBuilder.h"
+#include "Accel/Structures/BspSave.h"
 #include "Accel/Structures/BspView.h"
 #include "Accel/Structures/BspWalk.h"
 
@@ -19,6 +20,18 @@ public:
     BuildProgress& progress)
     : tree_(buildBspNodes(surface, options, blocks, progress))
   {
+  }
+
+  BspTree(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
+    SaveReader& reader)
+    : tree_(loadBspTree(surface, blocks, progress, reader))
+  {
+  }
+
+  void save(
+    const Surface& surface, const BuildOptions&, const LeafBlocks& blocks, SaveWriter& writer) const
+  {
+    saveBspTree(surface, this->tree_, blocks, writer);
   }
 
   [[nodiscard]] const void* walked() const { return &this->tree_; }
@@ -53,6 +66,12 @@ std::shared_ptr<const Accelerator> buildBspTree(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<BspTree>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadBspTree(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<BspTree>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

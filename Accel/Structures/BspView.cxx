@@ -8,17 +8,6 @@
 
 namespace lumitree
 {
-namespace
-{
-
-PrimitiveId primitiveAt(const LeafBlocks& blocks, std::uint32_t first, std::uint32_t i)
-{
-  return std::visit(
-    [&](const auto& store) { return store[first + i / blockWidth].id[i % blockWidth]; }, blocks);
-}
-
-} // namespace
-
 HierarchyView viewBspTree(const BspNodes& tree, const LeafBlocks& blocks)
 {
   HierarchyView view;

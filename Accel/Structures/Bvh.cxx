@@ -5,7 +5,8 @@
 #include "Accel/Kernel/RayBox.h"
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/BvhBuilder.h"
-#include "Accel/Structures/BvhNodes.h"
+#include "Accel/Structures/BvhLeaves.h"
+#include "Accel/Structures/BvhSave.h"
 
 namespace lumitree
 {
@@ -17,15 +18,55 @@ class Bvh
 public:
   Bvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress)
+    : Bvh(surface, build(surface, options, progress), blocks, progress)
+  {
+  }
+
+  Bvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader& reader)
+    : Bvh(surface, loadBvh(surface, hasParts(options), reader, progress), blocks, progress)
+  {
+  }
+
+  Bvh(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
+    const Bvh& before, const LeafBlocks&)
+    : Bvh(surface, refitBvh(surface, before.bvh_, progress), blocks, progress)
+  {
+  }
+
+  [[nodiscard]] bool fits(
+    const Surface& moved, const BuildOptions& options, const LeafBlocks&) const
+  {
+    return !hasParts(options) && holdAll(moved, this->bvh_.references);
+  }
+
+  void save(
+    const Surface&, const BuildOptions& options, const LeafBlocks&, SaveWriter& writer) const
+  {
+    saveBvh(this->bvh_, hasParts(options), writer);
+  }
+
+private:
+  static bool hasParts(const BuildOptions& options)
+  {
+    return options.bvhBuild == BvhBuild::SpatialSplits;
+  }
+
+  static BvhNodes build(
+    const Surface& surface, const BuildOptions& options, BuildProgress& progress)
   {
     if (surface.hittable().empty())
     {
-      this->bvh_.nodes.resize(1);
+      BvhNodes empty;
+      empty.nodes.resize(1);
+      return empty;
     }
-    else
-    {
-      this->bvh_ = exactBvhNodes(surface, buildBvhTree(surface, options, progress), progress);
-    }
+    return exactBvhNodes(surface, buildBvhTree(surface, options, progress), progress);
+  }
+
+  Bvh(const Surface& surface, BvhNodes&& bvh, LeafBlocks& blocks, BuildProgress& progress)
+    : bvh_(std::move(bvh))
+  {
     this->firstBlock_.resize(this->bvh_.nodes.size());
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < this->bvh_.nodes.size(); ++i)
@@ -56,6 +97,7 @@ public:
       blocks);
   }
 
+public:
   [[nodiscard]] const void* walked() const { return this; }
   static StructureWalks walks() { return baselineWalks<Bvh>(); }
 
@@ -182,6 +224,12 @@ std::shared_ptr<const Accelerator> buildBvh(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<Bvh>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadBvh(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<Bvh>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

@@ -8,9 +8,15 @@
 namespace lumitree
 {
 
+class SaveReader;
+
 /// A binary bounding volume hierarchy, built as BuildOptions::bvhBuild says.
 [[nodiscard]] std::shared_ptr<const Accelerator> buildBvh(std::shared_ptr<const Surface> surface,
   const BuildOptions& options, JobControl* control = nullptr);
+
+/// From what it saved.
+[[nodiscard]] std::shared_ptr<const Accelerator> loadBvh(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control);
 
 } // namespace lumitree
 

@@ -64,6 +64,11 @@ void refitBoxes(const Surface& surface, BvhNodes& bvh, BuildProgress& progress)
         }
       }
     });
+  boundFromBelow(bvh);
+}
+
+void boundFromBelow(BvhNodes& bvh)
+{
   // Children come after their parents.
   for (std::size_t i = bvh.nodes.size(); i-- > 0;)
   {

@@ -38,6 +38,9 @@ struct BvhNodes
 [[nodiscard]] BvhNodes exactBvhNodes(
   const Surface& surface, BvhTree&& tree, BuildProgress& progress);
 
+/// Makes the boxes of inner nodes those of what lies below.
+void boundFromBelow(BvhNodes& bvh);
+
 /// Makes the boxes those of the surface's coordinates, from the leaves up.
 void refitBoxes(const Surface& surface, BvhNodes& bvh, BuildProgress& progress);
 

@@ -22,6 +22,26 @@ public:
     std::visit([&](auto& store) { this->fill(surface, store, progress); }, blocks);
   }
 
+  /// What is in which cell follows from the surface: cells are filled again.
+  Grid(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader& reader)
+    : Grid(surface, withResolution(options, reader), blocks, progress)
+  {
+    require(this->cells_.leaves.size() == reader.get<std::uint64_t>() &&
+        this->cells_.references.size() == reader.get<std::uint64_t>(),
+      "its cells are not those of its surface");
+  }
+
+  void save(const Surface&, const BuildOptions&, const LeafBlocks&, SaveWriter& writer) const
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      writer.put(static_cast<std::int32_t>(this->cells_.lattice.count(k)));
+    }
+    writer.put(std::uint64_t{ this->cells_.leaves.size() });
+    writer.put(std::uint64_t{ this->cells_.references.size() });
+  }
+
   [[nodiscard]] const void* walked() const { return this; }
   static StructureWalks walks() { return baselineWalks<Grid>(); }
 
@@ -99,6 +119,17 @@ public:
   }
 
 private:
+  static BuildOptions withResolution(const BuildOptions& options, SaveReader& reader)
+  {
+    BuildOptions asked = options;
+    for (int& cells : asked.gridResolution)
+    {
+      cells = reader.get<std::int32_t>();
+      require(cells >= 1 && cells <= 1 << 20, "a grid has no such resolution");
+    }
+    return asked;
+  }
+
   /// Cells that hold one and the same single primitive share its block: a large triangle fills
   /// many.
   template <class Store>
@@ -134,6 +165,12 @@ std::shared_ptr<const Accelerator> buildGrid(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<Grid>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadGrid(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<Grid>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

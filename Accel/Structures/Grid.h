@@ -8,10 +8,16 @@
 namespace lumitree
 {
 
+class SaveReader;
+
 /// A uniform grid over the surface's bounds; BuildOptions::gridDensity and gridResolution say how
 /// fine.
 [[nodiscard]] std::shared_ptr<const Accelerator> buildGrid(std::shared_ptr<const Surface> surface,
   const BuildOptions& options, JobControl* control = nullptr);
+
+/// From what it saved.
+[[nodiscard]] std::shared_ptr<const Accelerator> loadGrid(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control);
 
 } // namespace lumitree
 

@@ -4,6 +4,7 @@
 
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/KdTreeBuilder.h"
+#include "Accel/Structures/KdTreeSave.h"
 #include "Accel/Structures/KdTreeView.h"
 #include "Accel/Structures/KdTreeWalk.h"
 
@@ -19,6 +20,18 @@ public:
     BuildProgress& progress)
     : tree_(buildKdTreeNodes(surface, options, blocks, progress))
   {
+  }
+
+  KdTree(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
+    SaveReader& reader)
+    : tree_(loadKdTree(surface, blocks, progress, reader))
+  {
+  }
+
+  void save(
+    const Surface& surface, const BuildOptions&, const LeafBlocks& blocks, SaveWriter& writer) const
+  {
+    saveKdTree(surface, this->tree_, blocks, writer);
   }
 
   [[nodiscard]] const void* walked() const { return this; }
@@ -47,6 +60,12 @@ std::shared_ptr<const Accelerator> buildKdTree(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<KdTree>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadKdTree(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<KdTree>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

@@ -4,7 +4,7 @@
 
 #include "Accel/Kernel/RayBox.h"
 #include "Accel/Kernel/TreeAccelerator.h"
-#include "Accel/Structures/OctreeBuilder.h"
+#include "Accel/Structures/OctreeSave.h"
 
 namespace lumitree
 {
@@ -16,7 +16,24 @@ class Octree
 public:
   Octree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress)
-    : octree_(buildOctreeNodes(surface, options, progress))
+    : Octree(surface, buildOctreeNodes(surface, options, progress), blocks, progress)
+  {
+  }
+
+  Octree(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
+    SaveReader& reader)
+    : Octree(surface, loadOctree(surface, progress, reader), blocks, progress)
+  {
+  }
+
+  void save(const Surface&, const BuildOptions&, const LeafBlocks&, SaveWriter& writer) const
+  {
+    saveOctree(this->octree_, writer);
+  }
+
+private:
+  Octree(const Surface& surface, OctreeNodes&& nodes, LeafBlocks& blocks, BuildProgress& progress)
+    : octree_(std::move(nodes))
     , firstBlock_(octree_.nodes.size())
   {
     progress.stage(0.99, this->octree_.nodes.size());
@@ -37,6 +54,7 @@ public:
       blocks);
   }
 
+public:
   [[nodiscard]] const void* walked() const { return this; }
   static StructureWalks walks() { return baselineWalks<Octree>(); }
 
@@ -131,6 +149,12 @@ std::shared_ptr<const Accelerator> buildOctree(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<Octree>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadOctree(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<Octree>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

@@ -8,10 +8,16 @@
 namespace lumitree
 {
 
+class SaveReader;
+
 /// A cube around the surface's bounds, halved along all three axes for as long as OctreeBuilder.h
 /// says.
 [[nodiscard]] std::shared_ptr<const Accelerator> buildOctree(std::shared_ptr<const Surface> surface,
   const BuildOptions& options, JobControl* control = nullptr);
+
+/// From what it saved.
+[[nodiscard]] std::shared_ptr<const Accelerator> loadOctree(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control);
 
 } // namespace lumitree
 

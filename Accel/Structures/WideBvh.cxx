@@ -5,6 +5,7 @@
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/BvhBuilder.h"
 #include "Accel/Structures/WideBvhFill.h"
+#include "Accel/Structures/WideBvhTopology.h"
 #include "Accel/Structures/WideBvhView.h"
 #include "Accel/Structures/WideBvhWalk.h"
 
@@ -24,6 +25,32 @@ public:
       BvhTree binary = buildBvhTree(surface, options, progress);
       this->tree_ = fillWideBvh(surface, std::move(binary), options.leafSize, blocks, progress);
     }
+  }
+
+  WideBvh(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader& reader)
+    : tree_(assembleWideBvh(
+        surface, loadTopology(surface, hasParts(options), reader), blocks, progress))
+  {
+  }
+
+  WideBvh(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
+    const WideBvh& before, const LeafBlocks& ofBefore)
+    : tree_(assembleWideBvh(surface, topologyOf(before.tree_, ofBefore, false), blocks, progress))
+  {
+  }
+
+  [[nodiscard]] bool fits(
+    const Surface& moved, const BuildOptions& options, const LeafBlocks& blocks) const
+  {
+    return !hasParts(options) &&
+      holdAll(moved, topologyOf(this->tree_, blocks, false).leaves.references);
+  }
+
+  void save(
+    const Surface&, const BuildOptions& options, const LeafBlocks& blocks, SaveWriter& writer) const
+  {
+    saveTopology(topologyOf(this->tree_, blocks, hasParts(options)), writer);
   }
 
   static StructureWalks walks()
@@ -54,6 +81,11 @@ public:
   }
 
 private:
+  static bool hasParts(const BuildOptions& options)
+  {
+    return options.bvhBuild == BvhBuild::SpatialSplits;
+  }
+
   WideBvhNodes tree_;
 };
 
@@ -63,6 +95,12 @@ std::shared_ptr<const Accelerator> buildWideBvh(
   std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
 {
   return std::make_shared<TreeAccelerator<WideBvh>>(std::move(surface), options, control);
+}
+
+std::shared_ptr<const Accelerator> loadWideBvh(std::shared_ptr<const Surface> surface,
+  const BuildOptions& options, SaveReader& reader, JobControl* control)
+{
+  return TreeAccelerator<WideBvh>::load(std::move(surface), options, reader, control);
 }
 
 } // namespace lumitree

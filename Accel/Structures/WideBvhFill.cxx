@@ -16,17 +16,6 @@ namespace
 
 constexpr std::size_t chunk = 1024;
 
-WideBvhNode emptyNode()
-{
-  WideBvhNode node{};
-  for (int k = 0; k < 3; ++k)
-  {
-    std::fill_n(node.planes[k], wideArity, std::numeric_limits<float>::infinity());
-    std::fill_n(node.planes[k + 3], wideArity, -std::numeric_limits<float>::infinity());
-  }
-  return node;
-}
-
 /// A stretch of a tree's references.
 struct Range
 {
@@ -56,6 +45,26 @@ struct Place
 };
 
 } // namespace
+
+WideBvhNode emptyWideNode()
+{
+  WideBvhNode node{};
+  for (int k = 0; k < 3; ++k)
+  {
+    std::fill_n(node.planes[k], wideArity, std::numeric_limits<float>::infinity());
+    std::fill_n(node.planes[k + 3], wideArity, -std::numeric_limits<float>::infinity());
+  }
+  return node;
+}
+
+void requireRoomFor(std::uint32_t blocks)
+{
+  if (blocks > WideChild::maxBlock)
+  {
+    throw std::length_error(
+      "a wide BVH has room for 2^27 blocks of primitives; these need " + std::to_string(blocks));
+  }
+}
 
 WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize, LeafBlocks& blocks,
   BuildProgress& progress)
@@ -91,12 +100,7 @@ WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize,
     nodeCount += kept[i].leaf ? 0 : 1;
   }
 
-  if (blockCount > WideChild::maxBlock)
-  {
-    throw std::length_error("a wide BVH has room for 2^27 blocks of primitives; these need " +
-      std::to_string(blockCount));
-  }
-
+  requireRoomFor(blockCount);
   WideBvhNodes tree;
   tree.frame = binary.frame;
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -128,7 +132,7 @@ WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize,
             blocks);
           continue;
         }
-        WideBvhNode wide = emptyNode();
+        WideBvhNode wide = emptyWideNode();
         for (std::uint32_t lane = 0; lane < node.childCount; ++lane)
         {
           const std::size_t child = node.firstChild + lane;

@@ -11,6 +11,12 @@
 namespace lumitree
 {
 
+/// A node without children: no ray meets any of its boxes.
+[[nodiscard]] WideBvhNode emptyWideNode();
+
+/// Throws std::length_error where a tree has no room for so many blocks.
+void requireRoomFor(std::uint32_t blocks);
+
 /// Collapses a binary tree over a surface that is not empty and writes its nodes and the blocks of
 /// its leaves. The tree's references are used up.
 [[nodiscard]] WideBvhNodes fillWideBvh(const Surface& surface, BvhTree&& binary, int leafSize,

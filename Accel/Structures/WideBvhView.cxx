@@ -7,22 +7,6 @@ namespace lumitree
 namespace
 {
 
-Box boxOf(const WideBvhFrame& frame, const WideBvhNode& node, int lane)
-{
-  Box box;
-  for (int k = 0; k < 3; ++k)
-  {
-    box.lower[k] = frame.centre[k] + static_cast<double>(node.planes[k][lane]) / frame.scale;
-    box.upper[k] = frame.centre[k] + static_cast<double>(node.planes[k + 3][lane]) / frame.scale;
-  }
-  return box;
-}
-
-bool isUsed(const WideBvhNode& node, int lane)
-{
-  return node.planes[0][lane] <= node.planes[3][lane];
-}
-
 template <class T>
 void appendReferences(const TriangleBlocks<T>& blocks, std::uint32_t first, std::uint32_t count,
   std::vector<PrimitiveId>& references)
@@ -34,6 +18,17 @@ void appendReferences(const TriangleBlocks<T>& blocks, std::uint32_t first, std:
 }
 
 } // namespace
+
+Box boxOf(const WideBvhFrame& frame, const WideBvhNode& node, int lane)
+{
+  Box box;
+  for (int k = 0; k < 3; ++k)
+  {
+    box.lower[k] = frame.centre[k] + static_cast<double>(node.planes[k][lane]) / frame.scale;
+    box.upper[k] = frame.centre[k] + static_cast<double>(node.planes[k + 3][lane]) / frame.scale;
+  }
+  return box;
+}
 
 HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks)
 {

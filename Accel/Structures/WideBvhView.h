@@ -12,6 +12,15 @@
 namespace lumitree
 {
 
+/// Whether there is a child in that lane.
+[[nodiscard]] inline bool isUsed(const WideBvhNode& node, int lane)
+{
+  return node.planes[0][lane] <= node.planes[3][lane];
+}
+
+/// A child's box, out of the frame.
+[[nodiscard]] Box boxOf(const WideBvhFrame& frame, const WideBvhNode& node, int lane);
+
 /// The tree as a flat list of nodes, with the boxes that its walk uses (outward in float, so a
 /// little larger than tight).
 [[nodiscard]] HierarchyView viewWideBvh(const WideBvhNodes& tree, const LeafBlocks& blocks);
