@@ -18,7 +18,6 @@ public:
     BuildProgress& progress)
     : cells_(buildGridCells(surface, options, progress))
   {
-    progress.stage(0.99, this->cells_.leaves.size());
     std::visit([&](auto& store) { this->fill(surface, store, progress); }, blocks);
   }
 
@@ -54,21 +53,22 @@ public:
       return;
     }
     visitor.node(0);
+    std::uint32_t leaf = 0;
     do
     {
       sweep.forEachCell(
         [&](std::ptrdiff_t cell)
         {
           visitor.cell();
-          const std::uint32_t leaf = this->cells_.leafOf[static_cast<std::size_t>(cell)];
-          if (leaf > 0)
+          leaf = this->cells_.leafOf[static_cast<std::size_t>(cell)];
+          if (leaf > 0 && leaf != GridCells::emptyBlock)
           {
             visitor.node(leaf);
             visitor.leaf(
               { this->firstBlock_[leaf - 1], this->cells_.leaves[leaf - 1].count, sweep.tEnter() });
           }
         });
-    } while (sweep.advance(visitor.tStop()));
+    } while (sweep.advance(visitor.tStop(), leaf == GridCells::emptyBlock));
   }
 
   /// The grid, then its occupied cells.
@@ -93,7 +93,7 @@ public:
         for (int x = 0; x <= all.last[0]; ++x)
         {
           const std::uint32_t leaf = this->cells_.leafOf[lattice.cell(x, y, z)];
-          if (leaf > 0)
+          if (leaf > 0 && leaf != GridCells::emptyBlock)
           {
             HierarchyNode& node = view.nodes[leaf];
             node.box = lattice.box({ { x, y, z }, { x, y, z } });
@@ -130,29 +130,45 @@ private:
     return asked;
   }
 
+  static constexpr std::size_t leavesPerChunk = 256;
+
   /// Cells that hold one and the same single primitive share its block: a large triangle fills
   /// many.
   template <class Store>
   void fill(const Surface& surface, Store& store, BuildProgress& progress)
   {
     constexpr std::uint32_t none = ~std::uint32_t{ 0 };
+    const std::vector<GridCells::Leaf>& leaves = this->cells_.leaves;
     std::vector<std::uint32_t> alone(surface.size(), none);
-    this->firstBlock_.reserve(this->cells_.leaves.size());
-    for (const GridCells::Leaf& leaf : this->cells_.leaves)
+    this->firstBlock_.resize(leaves.size());
+    std::vector<std::uint32_t> filled; // leaves with blocks of their own
+    filled.reserve(leaves.size());
+    std::size_t blocks = 0;
+    for (std::uint32_t i = 0; i < leaves.size(); ++i)
     {
-      progress.advance(1);
-      const PrimitiveId* const ids = this->cells_.references.data() + leaf.first;
-      if (leaf.count > 1)
+      const std::uint32_t count = leaves[i].count;
+      std::uint32_t& shared = alone[this->cells_.references[leaves[i].first]];
+      const bool again = count == 1 && shared != none;
+      this->firstBlock_[i] = again ? shared : static_cast<std::uint32_t>(blocks);
+      if (!again)
       {
-        this->firstBlock_.push_back(store.append(surface, ids, leaf.count));
-        continue;
+        filled.push_back(i);
+        blocks += (count + blockWidth - 1) / blockWidth;
       }
-      if (alone[*ids] == none)
-      {
-        alone[*ids] = store.append(surface, ids, 1);
-      }
-      this->firstBlock_.push_back(alone[*ids]);
+      shared = count == 1 ? this->firstBlock_[i] : shared;
     }
+    store.resize(blocks);
+    progress.stage(0.99, filled.size());
+    progress.forEach(filled.size(), leavesPerChunk,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const GridCells::Leaf& leaf = leaves[filled[i]];
+          store.put(this->firstBlock_[filled[i]], surface,
+            this->cells_.references.data() + leaf.first, leaf.count);
+        }
+      });
   }
 
   GridCells cells_;

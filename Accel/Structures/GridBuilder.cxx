@@ -4,6 +4,8 @@
 
 #include "Accel/Structures/PrimitiveBoxOverlap.h"
 
+#include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 namespace lumitree
@@ -16,7 +18,8 @@ constexpr std::size_t greatestCells = std::size_t{ 1 } << 27;
 constexpr std::size_t greatestReferences = std::size_t{ 1 } << 26;
 constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
-constexpr std::size_t primitivesPerReport = 64;
+/// Primitives that a thread inserts at a time.
+constexpr std::size_t chunk = 256;
 
 struct Reference
 {
@@ -38,43 +41,55 @@ public:
   /// False as soon as there are more than the limit.
   bool insertAll(const Surface& surface)
   {
-    std::size_t done = 0;
-    for (const PrimitiveId id : surface.hittable())
-    {
-      const PrimitiveBoxOverlap overlap(surface, id);
-      this->insert(overlap, id, this->lattice_.slabsOf(overlap.bounds()));
-      if (this->references_.size() > this->limit_)
+    const std::vector<PrimitiveId>& ids = surface.hittable();
+    this->chunks_.assign((ids.size() + chunk - 1) / chunk, {});
+    this->progress_.forEach(ids.size(), chunk,
+      [&](std::size_t begin, std::size_t end)
       {
-        return false;
-      }
-      if (++done % primitivesPerReport == 0)
-      {
-        this->progress_.advance(primitivesPerReport);
-      }
-    }
-    return true;
+        std::vector<Reference>& references = this->chunks_[begin / chunk];
+        std::size_t counted = 0;
+        for (std::size_t i = begin; i < end && !this->full(0); ++i)
+        {
+          const PrimitiveBoxOverlap overlap(surface, ids[i]);
+          this->insert(overlap, ids[i], this->lattice_.slabsOf(overlap.bounds()), references);
+          this->held_.fetch_add(references.size() - counted, std::memory_order_relaxed);
+          counted = references.size();
+        }
+      });
+    return !this->full(0);
   }
 
-  [[nodiscard]] const std::vector<Reference>& references() const { return this->references_; }
+  /// Calls use(reference) for each in order.
+  template <class Use>
+  void forEach(const Use& use) const
+  {
+    for (const std::vector<Reference>& references : this->chunks_)
+    {
+      std::for_each(references.begin(), references.end(), use);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return this->held_.load(std::memory_order_relaxed); }
 
 private:
   /// Halves blocks of cells until one cell is left: a large triangle is not tested against every
   /// cell of its box.
-  void insert(const PrimitiveBoxOverlap& overlap, PrimitiveId id, const SlabRange& range)
+  void insert(const PrimitiveBoxOverlap& overlap, PrimitiveId id, const SlabRange& range,
+    std::vector<Reference>& references) const
   {
     int axis = 0;
     for (int k = 1; k < 3; ++k)
     {
       axis = range.last[k] - range.first[k] > range.last[axis] - range.first[axis] ? k : axis;
     }
-    if (this->references_.size() > this->limit_ || !overlap.mayMeet(this->lattice_.box(range)))
+    if (this->full(references.size()) || !overlap.mayMeet(this->lattice_.box(range)))
     {
       return;
     }
     if (range.first[axis] == range.last[axis])
     {
       const std::size_t cell = this->lattice_.cell(range.first[0], range.first[1], range.first[2]);
-      this->references_.push_back({ static_cast<std::uint32_t>(cell), id });
+      references.push_back({ static_cast<std::uint32_t>(cell), id });
       return;
     }
     const int middle = range.first[axis] + (range.last[axis] - range.first[axis]) / 2;
@@ -82,14 +97,21 @@ private:
     SlabRange right = range;
     left.last[axis] = middle;
     right.first[axis] = middle + 1;
-    this->insert(overlap, id, left);
-    this->insert(overlap, id, right);
+    this->insert(overlap, id, left, references);
+    this->insert(overlap, id, right, references);
+  }
+
+  /// Whether there are more references than allowed, or so many in one chunk.
+  [[nodiscard]] bool full(std::size_t references) const
+  {
+    return std::max(references, this->size()) > this->limit_;
   }
 
   const GridLattice& lattice_;
   std::size_t limit_;
   BuildProgress& progress_;
-  std::vector<Reference> references_;
+  std::vector<std::vector<Reference>> chunks_;
+  std::atomic<std::size_t> held_{ 0 };
 };
 
 /// References that a surface needs at the very least, but for rounding: seen along an axis, a
@@ -129,16 +151,60 @@ double leastReferences(const Surface& surface, const std::array<int, 3>& resolut
   return sum;
 }
 
+/// Marks the cells of blocks that hold nothing.
+void markEmptyBlocks(GridCells& grid)
+{
+  const GridLattice& lattice = grid.lattice;
+  const auto forEachCell = [&](const SlabRange& block, const auto& use)
+  {
+    for (int z = block.first[2]; z <= block.last[2]; ++z)
+    {
+      for (int y = block.first[1]; y <= block.last[1]; ++y)
+      {
+        const std::size_t row = lattice.cell(block.first[0], y, z);
+        use(grid.leafOf.begin() + static_cast<std::ptrdiff_t>(row),
+          grid.leafOf.begin() +
+            static_cast<std::ptrdiff_t>(row + block.last[0] - block.first[0] + 1));
+      }
+    }
+  };
+  SlabRange block;
+  const auto place = [&](int axis, int slab)
+  {
+    block.first[axis] = slab;
+    block.last[axis] = std::min(slab + gridBlock, lattice.count(axis)) - 1;
+  };
+  for (int z = 0; z < lattice.count(2); z += gridBlock)
+  {
+    place(2, z);
+    for (int y = 0; y < lattice.count(1); y += gridBlock)
+    {
+      place(1, y);
+      for (int x = 0; x < lattice.count(0); x += gridBlock)
+      {
+        place(0, x);
+        bool empty = true;
+        forEachCell(block,
+          [&](auto begin, auto end) {
+            empty = empty && std::all_of(begin, end, [](std::uint32_t leaf) { return leaf == 0; });
+          });
+        if (empty)
+        {
+          forEachCell(
+            block, [](auto begin, auto end) { std::fill(begin, end, GridCells::emptyBlock); });
+        }
+      }
+    }
+  }
+}
+
 /// Sorts references by cell; those of one cell keep their order.
-GridCells arrange(GridLattice lattice, const std::vector<Reference>& references)
+GridCells arrange(GridLattice lattice, const Insertion& insertion)
 {
   GridCells grid;
   grid.leafOf.assign(lattice.cellCount(), 0);
   grid.lattice = std::move(lattice);
-  for (const Reference& r : references)
-  {
-    ++grid.leafOf[r.cell];
-  }
+  insertion.forEach([&](const Reference& r) { ++grid.leafOf[r.cell]; });
   std::uint32_t first = 0;
   for (std::uint32_t& entry : grid.leafOf)
   {
@@ -149,12 +215,14 @@ GridCells arrange(GridLattice lattice, const std::vector<Reference>& references)
       entry = static_cast<std::uint32_t>(grid.leaves.size());
     }
   }
-  grid.references.resize(references.size());
-  for (const Reference& r : references)
-  {
-    GridCells::Leaf& leaf = grid.leaves[grid.leafOf[r.cell] - 1];
-    grid.references[leaf.first + leaf.count++] = r.primitive;
-  }
+  grid.references.resize(insertion.size());
+  insertion.forEach(
+    [&](const Reference& r)
+    {
+      GridCells::Leaf& leaf = grid.leaves[grid.leafOf[r.cell] - 1];
+      grid.references[leaf.first + leaf.count++] = r.primitive;
+    });
+  markEmptyBlocks(grid);
   return grid;
 }
 
@@ -189,7 +257,7 @@ GridCells buildAsAsked(
   {
     refuse();
   }
-  return arrange(lattice, insertion.references());
+  return arrange(lattice, insertion);
 }
 
 GridCells buildAutomatically(const Surface& surface, double density, BuildProgress& progress)
@@ -215,7 +283,7 @@ GridCells buildAutomatically(const Surface& surface, double density, BuildProgre
       Insertion insertion(lattice, limit, progress);
       if (insertion.insertAll(surface))
       {
-        return arrange(lattice, insertion.references());
+        return arrange(lattice, insertion);
       }
     }
     // One cell holds each primitive once, so this ends.

@@ -20,8 +20,13 @@ struct GridCells
     std::uint32_t count = 0;
   };
 
+  /// In place of a leaf: neither the cell nor any other of its block of gridBlock³ holds anything,
+  /// so that a walk may go on behind the block.
+  static constexpr std::uint32_t emptyBlock = ~std::uint32_t{ 0 };
+
   GridLattice lattice;
-  std::vector<std::uint32_t> leafOf;   ///< per cell: 1 + the cell's leaf, 0 for an empty cell
+  /// Per cell: 1 + the cell's leaf; 0 for an empty cell, or emptyBlock.
+  std::vector<std::uint32_t> leafOf;
   std::vector<Leaf> leaves;            ///< occupied cells, in the order of cells
   std::vector<PrimitiveId> references; ///< ascending within a leaf
 };

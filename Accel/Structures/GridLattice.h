@@ -12,6 +12,9 @@
 namespace lumitree
 {
 
+/// Cells along a side of the blocks by which a grid skips what is empty; blocks begin at slab 0.
+inline constexpr int gridBlock = 8;
+
 /// Slabs first … last of each axis.
 struct SlabRange
 {

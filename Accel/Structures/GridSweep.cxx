@@ -6,7 +6,8 @@ namespace lumitree
 {
 
 GridSweep::GridSweep(const GridLattice& lattice, const RayBox& ray)
-  : t_(ray.tMin())
+  : lattice_(lattice)
+  , t_(ray.tMin())
   , end_(std::min(ray.tMax(), greatest))
 {
   std::ptrdiff_t stride = 1;
@@ -41,10 +42,66 @@ GridSweep::GridSweep(const GridLattice& lattice, const RayBox& ray)
     Axis& axis = this->axes_[k];
     if (std::isfinite(axis.reciprocal))
     {
-      const int slab = lattice.slabNear(k, axis.origin + this->t_ / axis.reciprocal);
-      this->placeMoving(axis, axis.step > 0 ? slab : axis.count - 1 - slab);
+      axis.direction = 1.0 / axis.reciprocal;
+      this->placeMoving(axis, this->slabAt(k));
     }
   }
+}
+
+bool GridSweep::leap()
+{
+  double t = infinity;
+  std::array<int, 3> ends;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Axis& axis = this->axes_[k];
+    if (axis.first != axis.last)
+    {
+      return false;
+    }
+    ends[k] = blockEnd(axis);
+    if (ends[k] < axis.count && std::isfinite(axis.reciprocal))
+    {
+      t = std::min(t, earlier(crossing(axis, ends[k])));
+    }
+  }
+  if (!(t > this->t_))
+  {
+    return false;
+  }
+  // Up to then no plane around the block is crossed, so every cell on the way is one of the block.
+  this->t_ = t;
+  if (!(t <= this->end_))
+  {
+    return true;
+  }
+  this->fresh_ = -1;
+  int left = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    Axis& axis = this->axes_[k];
+    if (std::isfinite(axis.reciprocal))
+    {
+      this->placeMoving(axis, this->slabAt(k));
+      if (axis.last >= ends[k])
+      {
+        ++left;
+        this->fresh_ = k;
+      }
+    }
+  }
+  if (left != 1 || this->axes_[this->fresh_].last > ends[this->fresh_])
+  {
+    this->fresh_ = -1; // more than one slab is new
+  }
+  return true;
+}
+
+int GridSweep::slabAt(int k) const
+{
+  const Axis& axis = this->axes_[k];
+  const int slab = this->lattice_.slabNear(k, axis.origin + this->t_ * axis.direction);
+  return axis.step > 0 ? slab : axis.count - 1 - slab;
 }
 
 void GridSweep::placeStill(Axis& axis, bool unknown)

@@ -37,8 +37,10 @@ public:
     return true;
   }
 
-  /// Goes to the next cells; false where there are none before tStop.
-  bool advance(double tStop)
+  /// Goes to the next cells; false where there are none before tStop. inEmptyBlock: the last of the
+  /// cells gone to is one of a block (gridBlock) that holds nothing. Then the rest of the block is
+  /// left out: the next cells are those at the earliest t at which the ray may leave the block.
+  bool advance(double tStop, bool inEmptyBlock = false)
   {
     const int xy = this->axes_[1].begin < this->axes_[0].begin ? 1 : 0;
     const int k = this->axes_[2].begin < this->axes_[xy].begin ? 2 : xy;
@@ -56,6 +58,10 @@ public:
         ++axis.first;
         axis.finish = later(this->crossing(axis, axis.first + 1));
       }
+    }
+    if (inEmptyBlock && this->leap())
+    {
+      return this->t_ <= this->end_ && this->t_ <= tStop;
     }
     Axis& moved = this->axes_[k];
     ++moved.last;
@@ -97,6 +103,7 @@ private:
     std::ptrdiff_t stride = 1;     ///< to the next slab's cell
     double origin = 0.0;
     double reciprocal = 0.0;
+    double direction = 0.0; ///< 1 / reciprocal, roughly
     int count = 1;
     int first = 0; ///< slabs first … last may hold the ray at t
     int last = 0;
@@ -125,9 +132,27 @@ private:
     return axis.last + 1 < axis.count ? earlier(crossing(axis, axis.last + 1)) : infinity;
   }
 
+  /// The plane, in the ray's direction, at which it leaves the block of its last slab.
+  static int blockEnd(const Axis& axis)
+  {
+    if (axis.step > 0)
+    {
+      return std::min((axis.last / gridBlock + 1) * gridBlock, axis.count);
+    }
+    return axis.count - (axis.count - 1 - axis.last) / gridBlock * gridBlock;
+  }
+
+  /// Goes to the end of an empty block; false where the ray may be in more cells than one of it,
+  /// and where the next step leads as far.
+  bool leap();
+
+  /// The slab of an axis that the ray is near at t, in the ray's direction.
+  [[nodiscard]] int slabAt(int k) const;
+
   void placeStill(Axis& axis, bool unknown);
   void placeMoving(Axis& axis, int guess);
 
+  const GridLattice& lattice_;
   std::array<Axis, 3> axes_;
   double t_;
   double end_;

@@ -32,24 +32,34 @@ public:
   }
 
 private:
-  Octree(const Surface& surface, OctreeNodes&& nodes, LeafBlocks& blocks, BuildProgress& progress)
-    : octree_(std::move(nodes))
+  Octree(const Surface& surface, OctreeNodes&& octree, LeafBlocks& blocks, BuildProgress& progress)
+    : octree_(std::move(octree))
     , firstBlock_(octree_.nodes.size())
   {
-    progress.stage(0.99, this->octree_.nodes.size());
+    const std::vector<OctreeNode>& nodes = this->octree_.nodes;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      this->firstBlock_[i] = static_cast<std::uint32_t>(count);
+      count += nodes[i].leaf ? (nodes[i].count + blockWidth - 1) / blockWidth : 0;
+    }
+    progress.stage(0.99, nodes.size());
     std::visit(
       [&](auto& store)
       {
-        for (std::size_t i = 0; i < this->octree_.nodes.size(); ++i)
-        {
-          const OctreeNode& node = this->octree_.nodes[i];
-          if (node.leaf)
+        store.resize(count);
+        progress.forEach(nodes.size(), nodesPerChunk,
+          [&](std::size_t begin, std::size_t end)
           {
-            this->firstBlock_[i] =
-              store.append(surface, this->octree_.references.data() + node.first, node.count);
-          }
-          progress.advance(1);
-        }
+            for (std::size_t i = begin; i < end; ++i)
+            {
+              if (nodes[i].leaf)
+              {
+                store.put(this->firstBlock_[i], surface,
+                  this->octree_.references.data() + nodes[i].first, nodes[i].count);
+              }
+            }
+          });
       },
       blocks);
   }
@@ -139,6 +149,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t nodesPerChunk = 256;
+
   OctreeNodes octree_;
   std::vector<std::uint32_t> firstBlock_; ///< per node, for leaves
 };

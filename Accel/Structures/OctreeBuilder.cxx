@@ -17,12 +17,31 @@ constexpr std::size_t referencesPerPrimitive = 16;
 /// See OctreeBuilder.h.
 constexpr std::size_t growthHalves = 3;
 
+/// Primitives that a thread looks at, at a time.
+constexpr std::size_t chunk = 4096;
+
+/// What each octant holds.
+using Octants = std::array<std::vector<PrimitiveId>, 8>;
+
 /// A node of the level at work.
 struct Open
 {
   std::uint32_t node;
   Box octant;
   std::vector<PrimitiveId> primitives;
+  std::array<Box, 8> boxes; ///< of the octants, where it may be split
+  std::size_t firstPart = 0;
+  std::size_t parts = 0; ///< 0 where it becomes a leaf
+};
+
+/// Primitives begin … end - 1 of a node.
+struct Part
+{
+  std::size_t open;
+  std::size_t begin;
+  std::size_t end;
+  std::size_t total = 0;
+  Octants held;
 };
 
 class Builder
@@ -43,23 +62,47 @@ public:
   {
     this->tree_.nodes.emplace_back();
     this->tree_.nodes[0].box = this->surface_.bounds();
-    std::vector<Open> level;
-    level.push_back({ 0, this->cells_.root(), this->surface_.hittable() });
+    std::vector<Open> level(1);
+    level[0].node = 0;
+    level[0].octant = this->cells_.root();
+    level[0].primitives = this->surface_.hittable();
     double toDo = 1.0;
     for (int depth = 0; !level.empty(); ++depth)
     {
-      std::vector<Open> next;
       // How many levels there will be is not known: each is a third of what is left.
       toDo *= 2.0 / 3.0;
-      this->progress_.stage(0.9 * (1.0 - toDo), level.size());
+      std::vector<Part> parts = this->partsOf(level, depth);
+      std::size_t work = 0;
+      for (const Part& part : parts)
+      {
+        work += part.end - part.begin;
+      }
+      this->progress_.stage(0.9 * (1.0 - toDo), work);
+      this->progress_.forEach(
+        parts.size(), partsPerChunk,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            this->sortOut(level[parts[i].open], parts[i]);
+          }
+        },
+        [&](std::size_t begin, std::size_t end)
+        {
+          std::size_t done = 0;
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            done += parts[i].end - parts[i].begin;
+          }
+          return done;
+        });
+      std::vector<Open> next;
       for (Open& open : level)
       {
-        if (depth == this->depthLimit_ || open.primitives.size() <= this->leafSize_ ||
-          !this->split(open, next))
+        if (open.parts == 0 || !this->split(open, parts.data() + open.firstPart, next))
         {
           this->close(open);
         }
-        this->progress_.advance(1);
       }
       level = std::move(next);
     }
@@ -67,60 +110,104 @@ public:
   }
 
 private:
-  /// Appends the node's children to the tree and to the next level; false where the node must
-  /// become a leaf.
-  bool split(const Open& open, std::vector<Open>& next)
+  static constexpr std::size_t partsPerChunk = 16;
+
+  /// Of the nodes that may be split, and what their octants are.
+  std::vector<Part> partsOf(std::vector<Open>& level, int depth) const
   {
-    const Vec3 centre = open.octant.centre();
-    std::array<Box, 8> boxes;
-    for (int i = 0; i < 8; ++i)
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < level.size(); ++i)
     {
-      boxes[i] = this->cells_.boxOf(OctreeCells::octantOf(open.octant, centre, i));
-    }
-    const std::size_t count = open.primitives.size();
-    const std::size_t allowed = std::min(growthHalves * count / 2,
-      this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
-    std::array<std::vector<PrimitiveId>, 8> held;
-    std::size_t total = 0;
-    for (const PrimitiveId id : open.primitives)
-    {
-      const PrimitiveBoxOverlap overlap(this->surface_, id);
-      for (int i = 0; i < 8; ++i)
+      Open& open = level[i];
+      const std::size_t count = open.primitives.size();
+      if (depth == this->depthLimit_ || count <= this->leafSize_)
       {
-        if (overlap.mayMeet(boxes[i]))
+        continue;
+      }
+      const Vec3 centre = open.octant.centre();
+      for (int k = 0; k < 8; ++k)
+      {
+        open.boxes[k] = this->cells_.boxOf(OctreeCells::octantOf(open.octant, centre, k));
+      }
+      open.firstPart = parts.size();
+      for (std::size_t begin = 0; begin < count; begin += chunk)
+      {
+        parts.push_back({ i, begin, std::min(begin + chunk, count), 0, {} });
+      }
+      open.parts = parts.size() - open.firstPart;
+    }
+    return parts;
+  }
+
+  /// How many references the children of a node may have together, whatever the rest of the tree.
+  static std::size_t allowedBelow(const Open& open)
+  {
+    return growthHalves * open.primitives.size() / 2;
+  }
+
+  void sortOut(const Open& open, Part& part) const
+  {
+    for (std::size_t p = part.begin; p < part.end && part.total <= allowedBelow(open); ++p)
+    {
+      const PrimitiveBoxOverlap overlap(this->surface_, open.primitives[p]);
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        if (overlap.mayMeet(open.boxes[i]))
         {
-          held[i].push_back(id);
-          ++total;
+          part.held[i].push_back(open.primitives[p]);
+          ++part.total;
         }
       }
-      if (total > allowed)
-      {
-        return false;
-      }
     }
-    if (total == 0)
+  }
+
+  /// Appends the node's children to the tree and to the next level; false where the node must
+  /// become a leaf.
+  bool split(const Open& open, Part* parts, std::vector<Open>& next)
+  {
+    const std::size_t count = open.primitives.size();
+    const std::size_t allowed = std::min(
+      allowedBelow(open), this->limit_ > this->held_ ? this->limit_ - this->held_ + count : count);
+    std::size_t total = 0;
+    for (std::size_t p = 0; p < open.parts; ++p)
     {
-      return false; // the node holds only what its margin of safety took for met
+      total += parts[p].total;
+    }
+    // Of nothing the node holds only what its margin of safety took for met.
+    if (total == 0 || total > allowed)
+    {
+      return false;
     }
     this->held_ = this->held_ + total - count;
+    Octants held = std::move(parts[0].held);
+    for (std::size_t p = 1; p < open.parts; ++p)
+    {
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        held[i].insert(held[i].end(), parts[p].held[i].begin(), parts[p].held[i].end());
+        parts[p].held[i] = {};
+      }
+    }
     OctreeNode& parent = this->tree_.nodes[open.node];
     parent.leaf = false;
     parent.first = static_cast<std::uint32_t>(this->tree_.nodes.size());
-    for (int i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 8; ++i)
     {
       parent.count += held[i].empty() ? 0 : 1;
     }
-    for (int i = 0; i < 8; ++i)
+    const Vec3 centre = open.octant.centre();
+    for (std::size_t i = 0; i < 8; ++i)
     {
       if (!held[i].empty())
       {
-        const auto index = static_cast<std::uint32_t>(this->tree_.nodes.size());
         OctreeNode child;
-        child.box = boxes[i];
+        child.box = open.boxes[i];
         child.parent = open.node;
+        next.emplace_back();
+        next.back().node = static_cast<std::uint32_t>(this->tree_.nodes.size());
+        next.back().octant = OctreeCells::octantOf(open.octant, centre, static_cast<int>(i));
+        next.back().primitives = std::move(held[i]);
         this->tree_.nodes.push_back(child);
-        next.push_back(
-          { index, OctreeCells::octantOf(open.octant, centre, i), std::move(held[i]) });
       }
     }
     return true;

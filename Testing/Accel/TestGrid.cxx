@@ -38,6 +38,65 @@ TEST(Grid, ALatticeOfRaysAgainstBruteForce)
   }
 }
 
+TEST(Grid, WhatIsBehindEmptyBlocksIsFound)
+{
+  // Few small triangles in 64³ cells of length 1, so that most blocks of 8³ are empty; many lie on
+  // planes and corners of blocks. Rays run in those planes, along their edges, through corners.
+  Uniform uniform(9);
+  const auto whole = [&](double step, std::size_t n)
+  { return step * static_cast<double>(uniform.index(n)); };
+  std::vector<Corners> triangles = { { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } },
+    { Vec3{ 64, 64, 64 }, Vec3{ 63, 64, 64 }, Vec3{ 64, 63, 64 } } };
+  for (int i = 0; i < 120; ++i)
+  {
+    const double step = i % 2 == 0 ? 8 : 1;
+    const std::size_t n = i % 2 == 0 ? 8 : 63;
+    const Vec3 p = { whole(step, n), whole(step, n), whole(step, n) };
+    const auto edge = [&] { return Vec3{ whole(1, 3) - 1, whole(1, 3) - 1, whole(1, 3) - 1 }; };
+    triangles.push_back({ p, p + edge(), p + edge() });
+  }
+  const auto surface = surfaceOf<double>(triangles);
+  Rays rays;
+  for (int i = 0; i < 40000; ++i)
+  {
+    const auto& corners = triangles[uniform.index(triangles.size())];
+    const Vec3 target =
+      i % 3 == 0 ? corners[0] : (1.0 / 4) * (corners[0] + corners[1]) + 0.5 * corners[2];
+    Ray ray = { { whole(8, 9), whole(8, 9), whole(8, 9) }, {} };
+    ray.direction = i % 2 == 0
+      ? target - ray.origin
+      : Vec3{ whole(1, 3) - 1, whole(1, 3) - 1, whole(1, 3) - (i % 4 == 1 ? 1 : 1.000000001) };
+    ray.tMin = i % 5 == 0 ? whole(0.125, 9) : 0;
+    ray.tMax = i % 7 == 0 ? ray.tMin + whole(0.125, 9) : ray.tMax;
+    rays.add(ray);
+  }
+  EXPECT_EQ(differences(surface, gridOf({ 64, 64, 64 }), rays), 0u);
+  EXPECT_EQ(differences(surface, gridOf({ 61, 64, 9 }), rays), 0u);
+}
+
+TEST(Grid, EmptyBlocksAreLeftAtOneStride)
+{
+  // Eighty cells with a triangle at either end: of eight of the blocks only the first cell is
+  // stepped through, and where the next one begins.
+  const auto surface =
+    surfaceOf<double>(std::vector<Corners>{ { Vec3{ 0, 0, 0 }, Vec3{ 0, 1, 0 }, Vec3{ 0, 0, 1 } },
+      { Vec3{ 80, 0, 0 }, Vec3{ 80, 1, 0 }, Vec3{ 80, 0, 1 } } });
+  const auto grid = build(surface, gridOf({ 80, 1, 1 }));
+  Rays rays;
+  rays.add({ 0.5, 0.25, 0.25 }, { 1, 0, 0 });
+  rays.add({ 79.5, 0.25, 0.25 }, { -1, 0, 0 });
+  std::vector<RayCounters> counters(2);
+  QueryOptions options = with(Precision::Exact);
+  options.perRay = counters.data();
+  std::vector<Hit> hits(2);
+  grid->closest(rays.batch(), hits.data(), options);
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(hits[static_cast<std::size_t>(i)].t, 79.5);
+    EXPECT_EQ(counters[static_cast<std::size_t>(i)].cells, 8u + 8u + 8u);
+  }
+}
+
 TEST(Grid, EveryResolutionGivesTheSameAnswers)
 {
   const auto surface = surfaceOf<float>(data::teapot(3));
