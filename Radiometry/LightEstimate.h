@@ -57,8 +57,8 @@ struct EstimateOptions
   /// wider than the tolerance, and the receiver is counted.
   std::uint32_t maximumRays = 16384;
 
-  /// Occluders in a shaft that are cut out of the light; more: rays. Where the relative tolerance is
-  /// wider than 1 %, rays cost less and it is as much smaller. 0: always rays.
+  /// Occluders in a shaft that are cut out of the light; more: rays. Where the relative tolerance
+  /// is wider than 1 %, rays cost less and it is as much smaller. 0: always rays.
   std::uint32_t mostClipped = 512;
 
   /// Whether the skyline is looked for.
@@ -106,14 +106,15 @@ struct EstimateReport
 /// Light that falls on receivers directly from sources, each by the cheapest method that its
 /// surroundings need.
 ///
-/// Points and parallel light: one ray. Polygons and skies: the closed form where a shaft query
-/// finds nothing between; where it finds few occluders, these are cut out of the light and
-/// Lambert's sum taken of what is left (Clipping, Horizon), exact to about 1e-12; where many,
-/// hierarchical bounds, and rays where these leave more undecided than the tolerance. Rays go by
-/// the Owen-scrambled Sobol sequence, which doubles until the interval is below the tolerance. The
-/// interval is Student's of 95 % over eight blocks of the sequence, narrowed by how much better
-/// they are together than if they were independent, and widened by what the rays could have missed; measured with the stopping rule on, it covers the
-/// true value at more than 90 % of penumbra receivers (Testing/Radiometry/TestLightEstimate.cxx).
+/// Points and parallel light: one ray. Polygons, spheres, disks, suns and skies: the closed form
+/// where a shaft query finds nothing between; where it finds few occluders, these are cut out of
+/// the light and Lambert's sum taken of what is left (Clipping, Horizon), exact to about 1e-12;
+/// where many, hierarchical bounds, and rays where these leave more undecided than the tolerance.
+/// Rays go by the Owen-scrambled Sobol sequence, which doubles until the interval is below the
+/// tolerance. The interval is Student's of 95 % over eight blocks of the sequence, narrowed by how
+/// much better they are together than if they were independent, and widened by what the rays could
+/// have missed; measured with the stopping rule on, it covers the true value at more than 90 % of
+/// penumbra receivers (Testing/Radiometry/TestLightEstimate.cxx).
 ///
 /// The numbers do not depend on the number of threads. Throws UnsupportedQuery when the occluders
 /// do not support the precision, std::invalid_argument for options out of range and outputs that do

@@ -16,13 +16,6 @@ namespace lumitree
 namespace
 {
 
-/// A triangle, or what is left of it on this side of a light's plane.
-struct CutTriangle
-{
-  int count = 0;
-  Vec3 corners[4];
-};
-
 /// The hull of points in a plane with that normal, counter-clockwise around it (Andrew 1979).
 std::vector<Vec3> convexHull(std::vector<Vec3> points, const Vec3& normal)
 {
@@ -138,65 +131,14 @@ Estimate PolygonEstimator::estimate(
 bool PolygonEstimator::findCones(const Polygon& polygon, double side, double height,
   const View& view, EstimateWorkspace& workspace) const
 {
-  ConvexRegion& region = workspace.region;
-  region.clear();
-  const Vec3 towards = side * polygon.normal; // from the light to the eye
-  const std::size_t count = polygon.hull.size();
-  Vec3 previous = polygon.hull[count - 1] - view.eye;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Vec3 next = polygon.hull[i] - view.eye;
-    // The polygon lies to the left of its edges seen from its front, on the outer side of none.
-    const Vec3 outward = side * cross(previous, next);
-    region.push_back({ outward, dot(outward, view.eye) });
-    previous = next;
-  }
-  const double plane = dot(towards, polygon.hull[0]);
-  region.push_back({ -1.0 * towards, -plane - polygon.clearance });
-  region.push_back({ towards, plane + height });
-  if (view.sided)
-  {
-    region.push_back({ -1.0 * view.normal, -dot(view.normal, view.eye) });
-  }
-  if (!this->find(view, this->scene_.mostClipped(), workspace))
-  {
-    return false;
-  }
-
-  workspace.cones.clear();
-  const Surface& surface = this->scene_.occluders->surface();
-  for (const PrimitiveId id : workspace.found)
-  {
-    const std::array<Vec3, 3> vertices = surface.vertices(id);
-    CutTriangle cut;
-    double heights[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      heights[k] = dot(towards, vertices[k] - polygon.hull[0]) - polygon.clearance;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const int next = (k + 1) % 3;
-      const double a = heights[k];
-      const double b = heights[next];
-      if (a >= 0.0)
-      {
-        cut.corners[cut.count++] = vertices[k] - view.eye;
-      }
-      if ((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0))
-      {
-        const double share = a / (a - b);
-        cut.corners[cut.count++] =
-          (1.0 - share) * (vertices[k] - view.eye) + share * (vertices[next] - view.eye);
-      }
-    }
-    OccluderCone cone;
-    if (cut.count >= 3 && cone.assign(cut.corners, cut.count, view.clearance))
-    {
-      workspace.cones.push_back(cone);
-    }
-  }
-  return true;
+  LightFront front;
+  front.hull = polygon.hull.data();
+  front.count = polygon.hull.size();
+  front.side = -side;
+  front.towards = side * polygon.normal;
+  front.height = height;
+  front.clearance = polygon.clearance;
+  return SourceEstimatorBase::findCones(front, view, workspace);
 }
 
 void PolygonEstimator::look(

@@ -3,15 +3,14 @@
 #include "Radiometry/Estimate/SourceEstimator.h"
 
 #include "Radiometry/Estimate/PolygonEstimator.h"
+#include "Radiometry/Estimate/RoundEstimator.h"
 #include "Radiometry/Estimate/SkyEstimator.h"
 #include "Radiometry/Estimate/Sobol.h"
 #include "Radiometry/Frame.h"
 #include "Radiometry/SkySource.h"
-#include "Radiometry/SunDiskSource.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lumitree
 {
@@ -19,7 +18,7 @@ namespace lumitree
 namespace
 {
 
-/// Spheres, disks, tubes, the sun: closed forms, and rays where something is in the shaft to their
+/// Tubes, lines, many polygons: closed forms, and rays where something is in the shaft to their
 /// bounds.
 class BoundedEstimator : public SourceEstimatorBase
 {
@@ -45,12 +44,6 @@ private:
   /// Finds what is in the pyramid from the eye around the source's box; false where there is none.
   bool shaft(const View& view, EstimateWorkspace& workspace) const
   {
-    if (const auto* sun = dynamic_cast<const SunDiskSource*>(&this->source_))
-    {
-      const double reach = std::tan(sun->angularRadius());
-      return this->pyramid(view, Frame::around(sun->towards()), { -reach, -reach },
-        { reach, reach }, std::numeric_limits<double>::infinity(), workspace);
-    }
     const std::optional<Box> box = this->source_.bounds();
     if (!box || box->empty())
     {
@@ -225,6 +218,10 @@ std::unique_ptr<const SourceEstimator> makeEstimator(
   if (source.polygons() && source.polygons()->size() <= fewPolygons)
   {
     return std::make_unique<PolygonEstimator>(source, scene);
+  }
+  if (RoundEstimator::suits(source))
+  {
+    return std::make_unique<RoundEstimator>(source, scene);
   }
   return std::make_unique<BoundedEstimator>(source, scene);
 }

@@ -58,6 +58,22 @@ struct EstimateScene
   [[nodiscard]] RaySamplerOptions sampling(double absoluteTolerance) const;
 };
 
+/// The flat front of a light, behind which nothing hides it, as what hides it is looked for.
+struct LightFront
+{
+  const Vec3* hull = nullptr; ///< convex; of an endless light, the eye and directions from it
+  std::size_t count = 0;
+  double side = 1.0; ///< 1 where corners a, b, c relative to the eye have a · (b × c) > 0, else −1
+  bool endless = false;
+  Vec3 towards = { 0.0, 0.0, 1.0 }; ///< unit normal of the hull, to the side of the eye
+  double height = 0.0;              ///< of the eye above the hull
+  double clearance = 0.0;           ///< what is nearer to the hull than that is the light
+
+  /// A light that is a ball: what lies in it does not hide it.
+  const Vec3* ballCentre = nullptr;
+  double ballRadius = 0.0;
+};
+
 /// Estimates the light of one extended source.
 class SourceEstimator
 {
@@ -86,6 +102,10 @@ protected:
   /// Primitives that may meet workspace.region, without those that the view skips. False where
   /// there are more than the limit, or one is not a triangle.
   bool find(const View& view, std::size_t limit, EstimateWorkspace& workspace) const;
+
+  /// Finds what is in the shaft between the eye and a light, and makes it cones; false where that
+  /// is too much to be cut out, or reaches into a ball.
+  bool findCones(const LightFront& front, const View& view, EstimateWorkspace& workspace) const;
 
   /// The closed form: nothing hides.
   [[nodiscard]] Estimate unoccluded(const View& view, EstimateWorkspace& workspace) const;
