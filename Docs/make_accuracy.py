@@ -30,6 +30,7 @@ HERE = Path(__file__).resolve().parent
 PAGE = HERE / "accuracy.md"
 ORDINARY = ("Random", "Camera")
 DEGENERATE = ("ThroughVertex", "ThroughEdge", "TowardVertex")
+BRUTE_FORCE_RAYS = 100
 UTM = (500000.0, 4649776.0, 100.0)
 COLOURS = {"exact": "#1b7837", "watertight": "#2166ac", "fast": "#92c5de"}
 
@@ -146,14 +147,21 @@ def draw_chart(rows: list[dict], path: Path) -> None:
     pyplot.close(figure)
 
 
+def measure(surface: tuple, rays: int) -> list[dict]:
+    """All back ends; brute force, thousands of times as slow, with few rays."""
+    rows = lumitree.accuracy_chart(surface, rays, repeats=2, brute_force_limit=0)
+    few = lumitree.accuracy_chart(surface, min(rays, BRUTE_FORCE_RAYS), repeats=1, brute_force_limit=2**31 - 1)
+    return rows + [row for row in few if row["BackEnd"] == "brute_force"]
+
+
 def first_failure(wrong: np.ndarray) -> int | None:
     return int(np.argmax(wrong)) if wrong.any() else None
 
 
 def draw_failures(path: Path) -> None:
-    """Rays of which a back end is wrong, seen along the ray: the triangles around the point that it should
-    hit, the right one green, the one named red."""
-    figure, axes = pyplot.subplots(1, 3, figsize=(12, 4.6))
+    """Rays of which a back end is wrong. Above, along the ray: the triangles around the point that it should
+    hit, the right one green, the one named red. Below, from the side: where it goes."""
+    figure, (axes, sides) = pyplot.subplots(2, 3, figsize=(12, 8.6))
     leaks, others = (lambda f, t: (f < 0) & (t >= 0)), (lambda f, t: (f >= 0) & (f != t))
     floats, doubles = mesh("sphere", 24, (0, 0, 0), 2**-10, np.float32), mesh("sphere", 24, UTM, 0, float)
     shown = (
@@ -161,7 +169,7 @@ def draw_failures(path: Path) -> None:
         ("a leak at an edge (full mantissas)", "fast", doubles, UTM, True, leaks),
         ("another triangle at the same point", "fast", floats, (0, 0, 0), False, others),
     )
-    for axis, (title, back_end, surface, middle, at_edge, is_wrong) in zip(axes, shown):
+    for axis, side, (title, back_end, surface, middle, at_edge, is_wrong) in zip(axes, sides, shown):
         points, triangles = surface
         rng = np.random.default_rng(3)
         origins = np.round(rng.uniform(-20, 20, (30000, 3)) * 1024) / 1024 + middle
@@ -178,6 +186,7 @@ def draw_failures(path: Path) -> None:
             found = lumitree.cast(surface, origins, directions, **options)
         except lumitree.LumitreeError:
             axis.set_axis_off()
+            side.set_axis_off()
             continue
         i = first_failure(is_wrong(found.cell_id, truth.cell_id))
         count = int(is_wrong(found.cell_id, truth.cell_id).sum())
@@ -187,8 +196,10 @@ def draw_failures(path: Path) -> None:
         axis.set_yticks([])
         if i is None:
             axis.text(0.5, 0.5, "none", ha="center", transform=axis.transAxes)
+            side.set_axis_off()
             continue
         draw_around(axis, surface, origins[i], directions[i], truth.cell_id[i], found.cell_id[i])
+        draw_from_side(side, surface, origins[i], directions[i], truth.t[i], found.t[i])
     figure.tight_layout()
     figure.savefig(path, dpi=90)
     pyplot.close(figure)
@@ -207,6 +218,34 @@ def draw_around(axis, surface: tuple, origin, direction, right: int, named: int)
         colour = "#a6dba0" if t == right else "#f4a582" if t == named else "#f0f0f0"
         axis.fill(*flat.T, facecolor=colour, edgecolor="#404040", lw=0.8)
     axis.plot(0, 0, "o", color="#b2182b", ms=5)
+
+
+def draw_from_side(axis, surface: tuple, origin, direction, right: float, found: float) -> None:
+    """The surface cut along the ray, the ray until it ends, the point it should end at."""
+    points, triangles = surface
+    length = np.linalg.norm(direction)
+    along = direction / length
+    side = np.cross(along, [0.3, 0.5, 0.8])
+    side /= np.linalg.norm(side)
+    frame = np.stack([along, side, np.cross(along, side)])
+    corners = (points[triangles] - origin) @ frame.T
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        # One end of an edge on each side of the cut: where the cut crosses it.
+        p, q = corners[:, a], corners[:, b]
+        crossed = p[:, 2] * q[:, 2] < 0
+        share = (p[crossed, 2] / (p[crossed, 2] - q[crossed, 2]))[:, None]
+        cut = p[crossed] + share * (q[crossed] - p[crossed])
+        axis.plot(cut[:, 0], cut[:, 1], ".", color="#808080", ms=2)
+    leaks = not np.isfinite(found)
+    end = 2 * right if leaks else found
+    axis.annotate("", xy=(end * length, 0), xytext=(0, 0), arrowprops={"arrowstyle": "->", "color": "#b2182b"})
+    axis.plot([0, end * length], [0, 0], color="#b2182b", lw=0.8)
+    axis.plot(0, 0, "k.", ms=6)
+    axis.plot(right * length, 0, "o", mfc="none", mec="#1b7837", ms=9, mew=1.6)
+    axis.set_title("goes on, and hits nothing" if leaks else "ends at the same point", fontsize=9)
+    axis.set_aspect("equal")
+    axis.set_xticks([])
+    axis.set_yticks([])
 
 
 def replace(text: str, name: str, content: str) -> str:
@@ -233,7 +272,7 @@ def main() -> None:
     for name, surface in meshes().items():
         print(name, flush=True)
         sizes.append(f"{name} ({len(surface[1]):,} triangles)")
-        for row in lumitree.accuracy_chart(surface, rays, repeats=2):
+        for row in measure(surface, rays):
             rows.append({"Mesh": name, **row})
     out = HERE.parent / "out"
     out.mkdir(exist_ok=True)
@@ -244,7 +283,8 @@ def main() -> None:
     draw_chart(rows, HERE / "images" / "accuracy.png")
     draw_failures(HERE / "images" / "accuracy-failures.png")
     facts = (
-        f"Machine: {processor()}, one thread, processor time, the better of two. {rays:,} rays of each kind on each mesh: "
+        f"Machine: {processor()}, one thread, processor time, the better of two. {rays:,} rays of each kind on each mesh "
+        f"(brute force: {min(rays, BRUTE_FORCE_RAYS)}): "
         + "; ".join(sizes) + "."
     )  # fmt: skip
     text = PAGE.read_text(encoding="utf-8")

@@ -344,4 +344,54 @@ TEST(Boxes, OriginsBeyondTheRangeOfFloatsAreFollowed)
   }
 }
 
+/// Triangles far smaller than a float's last place, one a leaf, seen from where the origin has no
+/// room for error: all that a box may still be met by is what the slab test allows for rounding.
+/// Coordinates just above powers of two round worst.
+TEST(Boxes, PointsAreMetFromTheMiddleOfTheScene)
+{
+  constexpr std::size_t count = 20000;
+  Uniform uniform(71);
+  // The first two make the middle of the scene the origin.
+  std::vector<std::array<Vec3, 3>> triangles = { { Vec3{ -1, -1, -1 }, Vec3{ -0.9, -1, -1 },
+                                                   Vec3{ -1, -0.9, -1 } },
+    { Vec3{ 1, 1, 1 }, Vec3{ 0.9, 1, 1 }, Vec3{ 1, 0.9, 1 } } };
+  while (triangles.size() < count)
+  {
+    Vec3 p;
+    for (double& x : p)
+    {
+      x = (uniform.index(2) == 0 ? -1 : 1) * uniform(0.5, 0.53);
+    }
+    constexpr double size = 1e-12;
+    triangles.push_back({ p, p + Vec3{ size, -size, 0 }, p + Vec3{ 0, size, size } });
+  }
+  const auto surface = surfaceOf<double>(triangles);
+  BuildOptions options = optionsOf(Structure::WideBvh);
+  options.leafSize = 1;
+  const auto wide = build(surface, options);
+  const auto binary = build(surface, optionsOf(Structure::Bvh));
+  for (const double tMin : { 0.0, -1.0 })
+  {
+    Rays rays;
+    for (std::size_t i = 0; i < 10 * count; ++i)
+    {
+      const auto& t = triangles[i % count];
+      rays.add(Ray{ { 0, 0, 0 }, uniform(0.95, 1) / 3 * (t[0] + t[1] + t[2]), tMin, HUGE_VAL });
+    }
+    std::vector<Hit> wanted(rays.size());
+    std::vector<Hit> found(rays.size());
+    binary->closest(rays.batch(), wanted.data(), with(Precision::Exact));
+    wide->closest(rays.batch(), found.data(), with(Precision::Exact));
+    std::size_t lost = 0;
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      lost += sameBits(found[i], wanted[i]) ? 0 : 1;
+      met += wanted[i].primitive == noPrimitive ? 0 : 1;
+    }
+    EXPECT_GT(met, rays.size() / 2);
+    EXPECT_EQ(lost, 0u) << "tMin " << tMin;
+  }
+}
+
 } // namespace
