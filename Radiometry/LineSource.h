@@ -27,6 +27,13 @@ public:
 
   [[nodiscard]] const Vec3& begin() const { return this->begin_; }
   [[nodiscard]] const Vec3& end() const { return this->end_; }
+  [[nodiscard]] Distribution distribution() const { return this->distribution_; }
+
+  /// I′ of each unit of the coordinates.
+  [[nodiscard]] double intensityPerUnit() const
+  {
+    return this->intensityPerMetre_ / this->metresPerUnit_;
+  }
 
   [[nodiscard]] std::optional<double> flux() const override;
 

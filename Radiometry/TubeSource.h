@@ -23,6 +23,8 @@ public:
 
   [[nodiscard]] const Vec3& begin() const { return this->begin_; }
   [[nodiscard]] double length() const { return this->length_; }
+  [[nodiscard]] const Vec3& axis() const { return this->frame_.z; } ///< unit, towards its end
+  [[nodiscard]] double tubeRadiance() const { return this->radiance_; }
   [[nodiscard]] double radius() const { return this->radius_; }
 
   [[nodiscard]] std::optional<double> flux() const override;

@@ -7,8 +7,10 @@
 #include "Radiometry/DiskSource.h"
 #include "Radiometry/LambertPolygon.h"
 #include "Radiometry/LightEstimate.h"
+#include "Radiometry/LineSource.h"
 #include "Radiometry/SphereSource.h"
 #include "Radiometry/SunDiskSource.h"
+#include "Radiometry/TubeSource.h"
 #include "Testing/Accel/TestHelpers.h"
 
 #include <gtest/gtest.h>
@@ -200,6 +202,81 @@ TEST(HiddenRoundLights, CutAndSampledAgree)
     }
   }
   EXPECT_GE(inside, all * 8 / 10);
+}
+
+TEST(HiddenRoundLights, LinesAndTubesWithoutOneHalf)
+{
+  Triangles half;
+  addQuad(half, { 0, -9, 0.5 }, { 9, -9, 0.5 }, { 9, 9, 0.5 }, { 0, 9, 0.5 });
+  const auto occluders = build(surfaceOf<double>(half));
+  using Distribution = LineSource::Distribution;
+  const Vec3 begin = { -1, 0.2, 2 };
+  const LineSource lambertian(10.0, begin, { 1.5, 0.2, 2 });
+  const LineSource lambertianHalf(10.0, begin, { 0, 0.2, 2 });
+  const LineSource even(10.0, begin, { 1.5, 0.2, 2 }, Distribution::Isotropic);
+  const LineSource evenHalf(10.0, begin, { 0, 0.2, 2 }, Distribution::Isotropic);
+  const TubeSource tube(10.0, begin, { 1.5, 0.2, 2 }, 0.3);
+  const TubeSource tubeHalf(10.0, begin, { 0, 0.2, 2 }, 0.3);
+  const std::pair<const Source*, const Source*> pairs[] = { { &lambertian, &lambertianHalf },
+    { &even, &evenHalf }, { &tube, &tubeHalf } };
+  for (const auto& [whole, left] : pairs)
+  {
+    for (const Vec3& n : { up, Vec3{ 0, 0.6, 0.8 }, Vec3{ -0.8, 0, 0.6 }, Vec3{ -1, 0, 0 } })
+    {
+      const Vec3 p = { 0, 0.1, 0 };
+      const Result r = at(*whole, *occluders, p, n);
+      const double expected = left->irradiance(p, n);
+      EXPECT_NEAR(r.value, expected, 1e-9 * (1.0 + expected));
+      EXPECT_LE(r.method, EstimateMethod::Clipping);
+      EXPECT_NEAR(r.scalar, left->scalarIrradiance(p), 1e-9 * r.scalar);
+      EXPECT_NEAR(length(r.vector - left->lightVector(p)), 0.0, 1e-9 * r.scalar);
+    }
+  }
+}
+
+TEST(HiddenRoundLights, TubesAndLinesBehindTriangles)
+{
+  const std::vector<Vec3> hides = { { -0.15, -0.02, 1 }, { 0.2, -0.04, 1.1 }, { 0.02, 0.1, 0.9 } };
+  Triangles one = { { { hides[0], hides[1], hides[2] } } };
+  const auto small = build(surfaceOf<double>(one));
+  const TubeSource tube(10.0, { -1, 0.1, 2 }, { 1, -0.1, 2.2 }, 0.4);
+  std::vector<Vec3> ways(hides);
+  for (const Vec3& n : { up, Vec3{ 0.6, 0, 0.8 }, Vec3{ 0, -0.8, 0.6 } })
+  {
+    const Result r = at(tube, *small, { 0, 0, 0 }, n);
+    const double expected =
+      tube.irradiance({ 0, 0, 0 }, n) - 10.0 * polygonIrradiance(ways.data(), 3, n);
+    EXPECT_NEAR(r.value, expected, 1e-8 * expected);
+    EXPECT_EQ(r.method, EstimateMethod::Clipping);
+  }
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int i = 0; i < 12; ++i)
+  {
+    const Vec3 middle = { any(random), 0.3 * any(random), 1.0 + 0.5 * any(random) };
+    one.push_back({ { middle + 0.3 * Vec3{ any(random), any(random), any(random) },
+      middle + 0.3 * Vec3{ any(random), any(random), any(random) },
+      middle + 0.3 * Vec3{ any(random), any(random), any(random) } } });
+  }
+  const auto some = build(surfaceOf<double>(one));
+  const LineSource line(10.0, { -1, 0.1, 2 }, { 1, -0.1, 2.2 });
+  for (const Source* source :
+    { static_cast<const Source*>(&tube), static_cast<const Source*>(&line) })
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const Vec3 p = { any(random), any(random), 0.0 };
+      EstimateOptions rays;
+      rays.mostClipped = 0;
+      rays.relativeTolerance = 1e-3;
+      rays.maximumRays = 1u << 18;
+      const Result exact = at(*source, *some, p);
+      const Result sampled = at(*source, *some, p, up, rays);
+      EXPECT_EQ(exact.method, EstimateMethod::Clipping);
+      EXPECT_NEAR(sampled.value, exact.value, 0.01 * source->irradiance(p, up));
+      EXPECT_NEAR(sampled.scalar, exact.scalar, 0.01 * source->scalarIrradiance(p));
+    }
+  }
 }
 
 TEST(HiddenRoundLights, WhatIsInTheLightDoesNotHideIt)
