@@ -6,6 +6,9 @@
 #include "Accel/Box.h"
 #include "Accel/Ray.h"
 
+#include <cstddef>
+#include <cstring>
+
 namespace lumitree
 {
 
@@ -42,6 +45,8 @@ public:
         this->reciprocal_[k] = std::numeric_limits<double>::quiet_NaN();
       }
       this->negative_[k] = std::signbit(d);
+      this->near_[k] = offsetOf(this->negative_[k], k);
+      this->far_[k] = offsetOf(!this->negative_[k], k);
     }
   }
 
@@ -67,10 +72,8 @@ public:
     double exit = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k)
     {
-      const double nearPlane = this->negative_[k] ? box.upper[k] : box.lower[k];
-      const double farPlane = this->negative_[k] ? box.lower[k] : box.upper[k];
-      const double tNear = (nearPlane - this->origin_[k]) * this->reciprocal_[k];
-      const double tFar = (farPlane - this->origin_[k]) * this->reciprocal_[k];
+      const double tNear = (plane(box, this->near_[k]) - this->origin_[k]) * this->reciprocal_[k];
+      const double tFar = (plane(box, this->far_[k]) - this->origin_[k]) * this->reciprocal_[k];
       enter = tNear > enter ? tNear : enter;
       exit = tFar < exit ? tFar : exit;
     }
@@ -84,11 +87,46 @@ public:
       enter = std::min(enter, std::numeric_limits<double>::max());
       exit = std::max(exit, std::numeric_limits<double>::lowest());
     }
-    // By factors, because infinity less infinity would be NaN and the box met.
-    enter = lowerBound(enter);
-    tExit = upperBound(exit);
+    // No infinity is less itself here: enter is below +infinity, exit above -infinity.
+    enter -= padOf(enter);
+    tExit = exit + padOf(exit);
     tEnter = enter > this->tMin_ ? enter : this->tMin_;
     return tEnter <= tExit && tEnter <= tStop;
+  }
+
+  /// What meets says of two boxes, in one: bit 0 for the first, bit 1 for the second.
+  [[nodiscard]] unsigned meetPair(const Box& a, const Box& b, double tStop, double tEnter[2]) const
+  {
+    using Double2 = double __attribute__((vector_size(16)));
+    using Long2 = std::int64_t __attribute__((vector_size(16)));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Double2 enter = { -infinity, -infinity };
+    Double2 exit = { infinity, infinity };
+    for (int k = 0; k < 3; ++k)
+    {
+      const Double2 nearPlane = { plane(a, this->near_[k]), plane(b, this->near_[k]) };
+      const Double2 farPlane = { plane(a, this->far_[k]), plane(b, this->far_[k]) };
+      const Double2 tNear = (nearPlane - this->origin_[k]) * this->reciprocal_[k];
+      const Double2 tFar = (farPlane - this->origin_[k]) * this->reciprocal_[k];
+      enter = tNear > enter ? tNear : enter;
+      exit = tFar < exit ? tFar : exit;
+    }
+    const Long2 sound = (enter < infinity) & (exit > -infinity);
+    if (!(sound[0] & sound[1])) // rare: one box after the other
+    {
+      const bool meetsA = this->meets(a, tStop, tEnter[0]);
+      const bool meetsB = this->meets(b, tStop, tEnter[1]);
+      return (meetsA ? 1u : 0u) | (meetsB ? 2u : 0u);
+    }
+    const auto magnitude = [](Double2 t)
+    { return reinterpret_cast<Double2>(reinterpret_cast<Long2>(t) & (~std::uint64_t{ 0 } >> 1)); };
+    enter -= magnitude(enter) * relativePad + absolutePad;
+    exit += magnitude(exit) * relativePad + absolutePad;
+    enter = enter > this->tMin_ ? enter : Double2{ this->tMin_, this->tMin_ };
+    tEnter[0] = enter[0];
+    tEnter[1] = enter[1];
+    const Long2 met = (enter <= exit) & (enter <= tStop);
+    return (met[0] ? 1u : 0u) | (met[1] ? 2u : 0u);
   }
 
   /// Bounds of the t at which the line crosses the plane of points that have this position on the
@@ -96,28 +134,41 @@ public:
   /// where the axis does not constrain.
   void crosses(int axis, double position, double& tLow, double& tHigh) const
   {
-    double t = (position - this->origin_[axis]) * this->reciprocal_[axis];
+    const double t = (position - this->origin_[axis]) * this->reciprocal_[axis];
+    if (std::fabs(t) <= std::numeric_limits<double>::max())
+    {
+      tLow = t - padOf(t);
+      tHigh = t + padOf(t);
+      return;
+    }
+    tLow = tHigh = t;
     if (std::isinf(t) && !std::isinf(this->reciprocal_[axis])) // it overflowed
     {
-      t = std::copysign(std::numeric_limits<double>::max(), t);
+      const double most = std::copysign(std::numeric_limits<double>::max(), t);
+      tLow = most - padOf(most);
+      tHigh = most + padOf(most);
     }
-    tLow = lowerBound(t);
-    tHigh = upperBound(t);
   }
 
 private:
-  static double lowerBound(double t)
+  static double padOf(double t) { return std::fabs(t) * relativePad + absolutePad; }
+
+  /// Where a plane is in the memory of a box.
+  static constexpr std::size_t offsetOf(bool upper, int axis)
   {
-    return t * (t > 0.0 ? 1.0 - relativePad : 1.0 + relativePad) - absolutePad;
+    return (upper ? offsetof(Box, upper) : offsetof(Box, lower)) +
+      static_cast<std::size_t>(axis) * sizeof(double);
   }
-  static double upperBound(double t)
+  static double plane(const Box& box, std::size_t offset)
   {
-    return t * (t > 0.0 ? 1.0 + relativePad : 1.0 - relativePad) + absolutePad;
+    double position;
+    std::memcpy(&position, reinterpret_cast<const char*>(&box) + offset, sizeof(position));
+    return position;
   }
 
   /// Whether the ray is parallel to a slab and outside it. Else what is infinite is so because it
   /// overflowed.
-  [[nodiscard]] bool passesBeside(const Box& box) const
+  [[nodiscard]] [[gnu::noinline, gnu::cold]] bool passesBeside(const Box& box) const
   {
     bool beside = false;
     for (int k = 0; k < 3; ++k)
@@ -134,6 +185,11 @@ private:
   double tMin_;
   double tMax_;
   bool negative_[3];
+  /// Of the planes that the ray meets first and last on each axis, whatever their place.
+  ///@{
+  std::size_t near_[3];
+  std::size_t far_[3];
+  ///@}
 };
 
 } // namespace lumitree

@@ -125,21 +125,20 @@ public:
       const BvhNode& node = this->bvh_.nodes[current.node];
       if (!node.leaf)
       {
-        Entry left = { node.first, 0.0 };
-        Entry right = { node.first + 1, 0.0 };
-        const bool meetsLeft = ray.meets(this->bvh_.nodes[left.node].box, tStop, left.tEnter);
-        const bool meetsRight = ray.meets(this->bvh_.nodes[right.node].box, tStop, right.tEnter);
-        if (meetsLeft && meetsRight)
+        double tEnter[2];
+        const unsigned met = ray.meetPair(
+          this->bvh_.nodes[node.first].box, this->bvh_.nodes[node.first + 1].box, tStop, tEnter);
+        if (met == 3)
         {
-          const bool rightFirst =
-            right.tEnter < left.tEnter || (right.tEnter == left.tEnter && ray.negative(node.axis));
-          stack[height++] = rightFirst ? left : right;
-          current = rightFirst ? right : left;
+          const std::uint32_t nearer =
+            tEnter[1] < tEnter[0] || (tEnter[1] == tEnter[0] && ray.negative(node.axis)) ? 1 : 0;
+          stack[height++] = { node.first + 1 - nearer, tEnter[1 - nearer] };
+          current = { node.first + nearer, tEnter[nearer] };
           continue;
         }
-        if (meetsLeft || meetsRight)
+        if (met != 0)
         {
-          current = meetsLeft ? left : right;
+          current = { node.first + (met >> 1), tEnter[met >> 1] };
           continue;
         }
       }

@@ -208,10 +208,10 @@ TEST(KdTree, TrianglesInThePlanesAreFoundFromEitherSide)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Five walls across the longest axis, each four times, so that cutting pays: the middle one
+    // Five walls across the longest axis, each forty times, so that cutting pays: the middle one
     // lies in the first plane of the spatial median, the outer ones in faces of the root.
     std::vector<Corners> walls;
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 200; ++i)
     {
       const double x = 4.0 * (i % 5) - 8.0;
       walls.push_back(
@@ -255,9 +255,9 @@ TEST(KdTree, AHitBeyondTheCellLosesToANearerOneInTheNextAndIsNotForgotten)
 {
   // A large sloping triangle reaches into every cell; small ones far apart make the cells.
   std::vector<Corners> triangles = { { Vec3{ 0, -40, -9 }, Vec3{ 0, 40, -9 }, Vec3{ 64, 0, 9 } } };
-  for (int i = 0; i <= 16; ++i)
+  for (int i = 0; i < 17 * 24; ++i)
   {
-    const double x = 4.0 * i;
+    const double x = 4.0 * (i % 17);
     triangles.push_back({ Vec3{ x, 6, -9 }, Vec3{ x, 8, -9 }, Vec3{ x, 7, -7 } });
   }
   const auto surface = surfaceOf<float>(triangles);
