@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Kernel/BatchRunner.h"
 
+#include "Accel/Kernel/BundlePlan.h"
 #include "Accel/Kernel/Finish.h"
 #include "Accel/Kernel/Queries.h"
 #include "Accel/Kernel/Settle.h"
@@ -16,6 +17,11 @@ namespace
 
 constexpr std::size_t raysPerChunk = 1024;
 
+/// Rays that start in one point are looked at in larger chunks, which hold several rows of pixels;
+/// of a small batch there should be enough chunks for all threads.
+constexpr std::size_t raysPerPlan = 16384;
+constexpr std::size_t leastPlans = 32;
+
 } // namespace
 
 /// What one chunk of rays needs; totals are added to the report when it ends.
@@ -26,6 +32,7 @@ public:
     const BatchRunner& runner, const RayBatch& rays, QueryKind query, const QueryOptions& options)
     : runner_(runner)
     , rays_(rays)
+    , query_(query)
     , options_(options)
     , states_(mostTravellers, RayState(runner.surface_))
   {
@@ -40,6 +47,10 @@ public:
     if (runner.walks_.kernel)
     {
       this->rayKernel_ = runner.walks_.kernel(scalar, certain);
+    }
+    if (runner.goTogether(rays, query, options))
+    {
+      this->bundleKernel_ = runner.walks_.bundle(scalar);
     }
     if (options.perNode)
     {
@@ -59,7 +70,17 @@ public:
   template <class Answer>
   void trace(std::size_t begin, std::size_t end, bool inOrder, Answer answer)
   {
-    Queue<Answer> queue{ *this, begin, end, answer };
+    if (this->bundleKernel_)
+    {
+      BundlePlan plan;
+      plan.make(this->rays_, begin, end);
+      this->traceTogether(plan, answer);
+      Queue<Answer> queue{ *this, 0, plan.alone().size(), plan.alone().data(), answer };
+      this->rayKernel_(this->runner_.structure_, this->runner_.blocks_, this->states_.data(),
+        mostTravellers, queue.feed());
+      return;
+    }
+    Queue<Answer> queue{ *this, begin, end, nullptr, answer };
     const bool counting =
       this->options_.perRay || this->options_.perNode || this->options_.perPrimitive;
     if (this->rayKernel_ && !counting)
@@ -129,7 +150,8 @@ private:
     {
       while (this->first < this->end)
       {
-        if (this->chunk.start(this->first++, state))
+        const std::size_t i = this->first++;
+        if (this->chunk.start(this->listed ? this->listed[i] : i, state))
         {
           return true;
         }
@@ -148,8 +170,48 @@ private:
     Chunk& chunk;
     std::size_t first;
     std::size_t end;
+    const std::size_t* listed; ///< rays listed[first] … listed[end - 1]; null: first … end - 1
     Answer& answer;
   };
+
+  /// Traces the plan's bundles and leaves to go alone what cannot go together.
+  template <class Answer>
+  void traceTogether(BundlePlan& plan, Answer answer)
+  {
+    RayBundle bundle;
+    bundle.state = &this->states_.front();
+    bundle.exact = this->options_.precision == Precision::Exact;
+    bundle.any = this->query_ == QueryKind::Any;
+    // Where one tile of directions was too wide, those as wide will be.
+    float tooWide = std::numeric_limits<float>::infinity();
+    for (const BundlePlan::Bundle& members : plan.bundles())
+    {
+      bool done = false;
+      if (members.spread < tooWide)
+      {
+        bundle.take(
+          this->rays_, plan.members(members), static_cast<int>(members.count), members.axis);
+        done = this->bundleKernel_(this->runner_.structure_, this->runner_.blocks_, bundle);
+        tooWide = done ? tooWide : members.spread;
+      }
+      if (!done)
+      {
+        plan.separate(members);
+        continue;
+      }
+      for (int i = 0; i < bundle.count; ++i)
+      {
+        if (bundle.finish(i))
+        {
+          answer(bundle.index[i], *bundle.state);
+        }
+        else
+        {
+          plan.separate(bundle.index[i]);
+        }
+      }
+    }
+  }
 
   /// False when the ray is not valid.
   bool start(std::size_t i, RayState& state)
@@ -178,10 +240,12 @@ private:
 
   const BatchRunner& runner_;
   const RayBatch& rays_;
+  QueryKind query_;
   const QueryOptions& options_;
   std::vector<RayState> states_;
   LeafKernel leafKernel_ = nullptr;
   RayKernel rayKernel_ = nullptr;
+  BundleKernel bundleKernel_ = nullptr;
   std::uint64_t invalid_ = 0;
   std::vector<std::uint64_t> visits_;
   std::vector<PrimitiveCounters> tests_;
@@ -198,6 +262,15 @@ BatchRunner::BatchRunner(const Surface& surface, const void* structure, Structur
 {
 }
 
+bool BatchRunner::goTogether(
+  const RayBatch& rays, QueryKind query, const QueryOptions& options) const
+{
+  const bool counting = options.perRay || options.perNode || options.perPrimitive;
+  return this->walks_.bundle && !counting && !options.roundedT &&
+    (query == QueryKind::Closest || query == QueryKind::Any) &&
+    this->surface_.quadricCount() == 0 && BundlePlan::mayPay(rays);
+}
+
 QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
   const std::function<void(std::size_t, std::size_t, Chunk&)>& body) const
 {
@@ -211,7 +284,9 @@ QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryO
   // nodes or primitives.
   const std::size_t counted = std::max(options.perNode ? this->nodeCount_ : 0,
     options.perPrimitive ? this->surface_.size() : std::size_t{ 0 });
-  const std::size_t chunk = std::max(raysPerChunk, counted / 4);
+  const std::size_t chunk = this->goTogether(rays, query, options)
+    ? std::clamp(rays.size / leastPlans, raysPerChunk, raysPerPlan)
+    : std::max(raysPerChunk, counted / 4);
   QueryReport report;
   std::mutex mutex;
   report.completed = parallelFor(rays.size, chunk, options.threads, options.control,

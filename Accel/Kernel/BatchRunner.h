@@ -4,6 +4,7 @@
 #define Lumitree_Accel_Kernel_BatchRunner_h
 
 #include "Accel/Accelerator.h"
+#include "Accel/Kernel/BundleKernel.h"
 #include "Accel/Kernel/RayKernel.h"
 #include "Accel/Kernel/Visitors.h"
 
@@ -17,6 +18,8 @@ struct StructureWalks
 {
   /// Node test and leaf test in one function; null where the leaf stands behind the visitor.
   RayKernelChooser kernel = nullptr;
+  /// Rays that start in one point, together; null where the structure has no such walk.
+  BundleKernelChooser bundle = nullptr;
   void (*plain)(const void* structure, RayState&, LeafVisitor&) = nullptr;
   void (*counting)(const void* structure, RayState&, CountingVisitor&) = nullptr;
 };
@@ -51,6 +54,9 @@ public:
 
 private:
   class Chunk;
+
+  /// Whether rays that start in one point are to be traced together.
+  bool goTogether(const RayBatch& rays, QueryKind query, const QueryOptions& options) const;
 
   /// All or Ties.
   QueryReport lists(

@@ -4,6 +4,7 @@
 
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/BvhBuilder.h"
+#include "Accel/Structures/WideBvhBundle.h"
 #include "Accel/Structures/WideBvhFill.h"
 #include "Accel/Structures/WideBvhTopology.h"
 #include "Accel/Structures/WideBvhView.h"
@@ -57,6 +58,7 @@ public:
   {
     StructureWalks walks;
     walks.kernel = wideBvhKernel;
+    walks.bundle = wideBvhBundleKernel;
     walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
     { wideBvhCountingWalk()(*static_cast<const WideBvhNodes*>(tree), state, visitor); };
     return walks;

@@ -37,10 +37,10 @@ struct WideRay
 
   HWY_INLINE void start(const WideBvhFrame& frame, const Ray& ray)
   {
-    const double unit = 1.0 /
+    this->unit = 1.0 /
       powerBelow(std::max(
         { std::fabs(ray.direction[0]), std::fabs(ray.direction[1]), std::fabs(ray.direction[2]) }));
-    this->perT = frame.scale / unit;
+    this->perT = frame.scale / this->unit;
     this->bounded = std::isnormal(this->perT);
 
     // The subtraction rounds to 2^-53 of the result, the conversion to 2^-24; 2^-22 covers both
@@ -61,7 +61,7 @@ struct WideRay
       HWY_ALIGN float high[4];
       toFloat(o - pad).store(low);
       toFloat(o + pad).store(high);
-      const Float4 along = toFloat(Double4::load(numbers + 3) * Double4::all(unit));
+      const Float4 along = toFloat(Double4::load(numbers + 3) * Double4::all(this->unit));
       this->octant = 0;
       for (int k = 0; k < 3; ++k)
       {
@@ -99,6 +99,7 @@ struct WideRay
   float farReciprocal[4];  ///< padded upward where forward
   unsigned octant;         ///< bit k is set where component k of the direction is negative
   float sMin;
+  double unit;  ///< the power of two that takes the direction's largest component into [1, 2)
   double perT;  ///< s / t, a power of two
   bool bounded; ///< perT is in the range of doubles, s in that of floats
   bool forward; ///< s is never negative

@@ -57,6 +57,13 @@ const std::vector<Scene>& scenes()
     {
       scene.rays = hardRays(*scene.surface, 600);
     }
+    made.push_back({ "teapot seen from one point", made.front().surface, {} });
+    Uniform uniform(33);
+    for (int i = 0; i < 1200; ++i)
+    {
+      made.back().rays.add(
+        { 0.3, -2, 0.5 }, { uniform(-0.2, 0.1), 1, i % 8 == 0 ? 0 : uniform(-0.3, 0.1) });
+    }
     return made;
   }();
   return all;
