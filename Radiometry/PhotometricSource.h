@@ -25,6 +25,7 @@ public:
     const Vec3& axis, const Vec3& reference, double scale = 1.0, double metresPerUnit = 1.0);
 
   [[nodiscard]] const PhotometricWeb& web() const { return *this->web_; }
+  [[nodiscard]] double scale() const { return this->scale_; }
 
   /// Of the interpolant, scaled.
   [[nodiscard]] std::optional<double> flux() const override { return this->flux_; }

@@ -6,6 +6,7 @@
 #include "LumiGather.h"
 #include "LumiJob.h"
 #include "LumiLightReader.h"
+#include "LumiPhotometricText.h"
 #include "LumiPorts.h"
 #include "LumiSettings.h"
 #include "LumiUnits.h"
@@ -13,7 +14,6 @@
 #include "Radiometry/Checks.h"
 #include "Radiometry/Constants.h"
 #include "Radiometry/EmitterIntensity.h"
-#include "Radiometry/PhotometricFile.h"
 #include "Radiometry/PhotometricWeb.h"
 
 #include "vtkCellArray.h"
@@ -32,7 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -386,17 +385,7 @@ bool vtkLumiRadiantIntensity::WritePhotometricFile(const char* fileName)
     {
       throw std::runtime_error("There is no table to write.");
     }
-    const bool eulumdat = name.size() > 4 &&
-      (name.compare(name.size() - 4, 4, ".ldt") == 0 ||
-        name.compare(name.size() - 4, 4, ".LDT") == 0);
-    const std::string text =
-      eulumdat ? lumitree::writeEulumdat(this->Impl->Web) : lumitree::writeIes(this->Impl->Web);
-    std::ofstream file(name, std::ios::binary);
-    file << text;
-    if (!file.flush())
-    {
-      throw std::runtime_error("The file \"" + name + "\" cannot be written.");
-    }
+    filters::writePhotometricFile(this->Impl->Web, name);
   }
   catch (const std::exception& problem)
   {

@@ -86,6 +86,14 @@ def make_parser() -> argparse.ArgumentParser:
         "--at", choices=names(ReceiverLocation), default="cells", help="default: %(default)s"
     )
     light.add_argument(
+        "--tolerance",
+        type=float,
+        default=0.01,
+        metavar="PART",
+        help="how far irradiance that rays estimate may be off, relative to it, 0 to 1; what has a "
+        "closed form is exact; default: %(default)s",
+    )
+    light.add_argument(
         "--length-unit",
         choices=LENGTH_SYMBOLS,
         default="m",
@@ -215,7 +223,7 @@ def _run(options: argparse.Namespace) -> None:
     if points:
         print("points     ", report.sides(points))
     lights = lights or [parse_light(stage.light or sun)]
-    print("light      ", report.light(lights, options.at, options.length_unit))
+    print("light      ", report.light(lights, options.at, options.length_unit, options.tolerance))
     written = sorted(file.name for file in options.out.iterdir())
     print(f"written     {options.out}/: {', '.join(written)}")
 

@@ -73,10 +73,20 @@ def read(path: str | os.PathLike) -> vtkDataObject:
 
 
 def write(data: vtkDataObject, path: str | os.PathLike) -> None:
-    """Writes a data set, a table or a multiblock in VTK's XML format. Raises LumitreeError when
-    that fails."""
+    """Writes a data set, a table or a multiblock in VTK's XML format; to ``.ies`` and ``.ldt`` a
+    light, or a photometric solid of `radiant_intensity`, as IES LM-63 or EULUMDAT. Raises
+    LumitreeError when that fails."""
     from vtkmodules.vtkIOXML import vtkXMLDataObjectWriter, vtkXMLMultiBlockDataWriter
 
+    if Path(path).suffix.lower() in (".ies", ".ldt"):
+        from .vtk import vtkLumiPhotometricWriter
+
+        photometric = vtkLumiPhotometricWriter()
+        photometric.SetFileName(str(path))
+        photometric.SetInputDataObject(data)
+        with reported(photometric, photometric.GetExecutive()):
+            photometric.Write()
+        return
     if isinstance(data, vtkMultiBlockDataSet):
         writer = vtkXMLMultiBlockDataWriter()
     else:

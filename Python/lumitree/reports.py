@@ -148,7 +148,11 @@ class Report:
         )
 
     def light(
-        self, lights: Sequence[vtkDataObject], at: str = "cells", length_unit: str = "m"
+        self,
+        lights: Sequence[vtkDataObject],
+        at: str = "cells",
+        length_unit: str = "m",
+        tolerance: float = 0.01,
     ) -> str:
         """Writes irradiance.vtp, and irradiance.png. Returns a line about it."""
         with progress_bar("irradiance") as progress:
@@ -158,6 +162,7 @@ class Report:
                 at=at,
                 length_unit=length_unit,
                 per_light=len(lights) > 1,
+                tolerance=tolerance,
                 precision=self.precision,
                 **self._tree_options,
                 progress=progress,
@@ -175,6 +180,8 @@ class Report:
             return f"{quantity}: no receiver has a normal"
         extremes = f"{finite.min():.4g} to {finite.max():.4g} {result.unit}"
         line = f"{quantity}: {len(finite):,} receivers, {extremes}"
+        if result.rays.any():
+            line += f", {int(result.rays.sum()):,} rays"
         if at == "cells":
             metres = from_vtk(result.dataset.GetFieldData(), "MetresPerUnit")[0]
             flux = received(result.dataset, result.name) * metres**2

@@ -3,6 +3,7 @@
 """Pipelines of the plugin's proxies, against numbers known beforehand."""
 
 import math
+import tempfile
 
 import numpy as np
 from paraview.simple import *
@@ -46,6 +47,16 @@ def segments_through_a_box():
     cast = RayCast(Input=Box(), Rays=line, Query="All")
     assert np.allclose(point_array(fetch(cast), "T"), [0.375, 0.625])
     assert cell_array(fetch(cast, 1), "HitCount").tolist() == [2]
+
+
+def photometric_files_open_and_save():
+    with tempfile.TemporaryDirectory() as directory:
+        file = f"{directory}/lamp.ies"
+        SaveData(file, PointLight(Flux=1000, System="Photometric"))
+        lamp = OpenDataFile(file)
+        assert lamp.GetXMLName() == "LumiPhotometricLight"
+        flux = fetch(lamp).GetFieldData().GetArray("LuminousFlux [lm]").GetValue(0)
+        assert abs(flux - 1000) < 1e-6
 
 
 def rays_from_a_closed_room():
@@ -166,6 +177,7 @@ def blocks_shadow_each_other():
 
 
 for test in (
+    photometric_files_open_and_save,
     parallel_camera_onto_a_plane,
     perspective_camera_past_a_plane,
     segments_through_a_box,

@@ -58,6 +58,7 @@ def test_options(in_tmp, mesh):
             "watertight",
         ),
         *("--leaf-size", "1", "--threads", "2", "--length-unit", "cm", "--at", "points"),
+        *("--tolerance", "0.05"),
         *("--light", "point:0,0,300:1000lm", "--light", "sun:0,0,-1:50lx"),
         *("--eye=-9,-9,9", "--target", "0,0,0", "--bvh-build", "longest_axis_median"),
     )
@@ -116,6 +117,7 @@ def test_help_has_examples():
         ),
         (["mesh.vtp", "--size", "big"], "--size is 'big'"),
         (["mesh.vtp", "--threads", "-3"], "threads must be a whole number"),
+        (["mesh.vtp", "--tolerance", "3"], "tolerance must be"),
         (["mesh.vtp", "--resolution", "3"], "--resolution is for built-in scenes"),
         (["mesh.vtp", "--structure", "tree"], "invalid choice: 'tree'"),
         (["mesh.vtp", "--light", "point:0,0,1:3lm", "--light", "sun:0,0,-1:9"], "photometric"),

@@ -30,6 +30,28 @@ def test_lambertian_square(tmp_path):
     assert file.stat().st_size > 1000
 
 
+@pytest.mark.parametrize("extension", ["ies", "ldt"])
+def test_any_light_as_a_photometric_file(tmp_path, extension):
+    file = tmp_path / f"lamp.{extension}"
+    lumitree.write(lumitree.point_light((1, 2, 3), 1000.0, system="photometric"), file)
+    again = lumitree.photometric_light(file, (0, 0, 0))
+    assert again.GetFieldData().GetArray("LuminousFlux [lm]").GetValue(0) == pytest.approx(1000.0)
+    lumitree.write(again, tmp_path / f"again.{extension}")  # by its own angles
+    assert (tmp_path / f"again.{extension}").read_bytes().splitlines()[-30:] == (
+        file.read_bytes().splitlines()[-30:]
+    )
+    solid = lumitree.radiant_intensity(SQUARE, 100.0, "radiance", planes=4, steps=90).solid
+    lumitree.write(solid, tmp_path / f"square.{extension}")
+    square = lumitree.photometric_light(tmp_path / f"square.{extension}", (0, 0, 0))
+    flux = square.GetFieldData().GetArray("LuminousFlux [lm]").GetValue(0)
+    assert flux == pytest.approx(100 * np.pi, rel=1e-3)
+    for wrong in (lumitree.sky_light("uniform", zenith_radiance=1.0), lumitree.scene("sphere")):
+        with pytest.raises(lumitree.LumitreeError):
+            lumitree.write(wrong, tmp_path / f"none.{extension}")
+    with pytest.raises(lumitree.LumitreeError):
+        lumitree.write(again, tmp_path / "nowhere" / f"lamp.{extension}")
+
+
 def test_sensor_grid_by_the_standard():
     assert lumitree.sensor_grid((0, 0, 0), (5, 0, 0), (0, 4, 0)).GetNumberOfCells() == 63
 
