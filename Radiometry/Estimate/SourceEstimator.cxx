@@ -112,7 +112,11 @@ RaySamplerOptions EstimateScene::sampling(double tolerance) const
   RaySamplerOptions result;
   result.occluders = this->occluders;
   result.shadowRays = this->shadowRays;
-  result.precision = this->options.precision;
+  // Fast allows any answer, and whether anything is hit is known sooner without its parameter, which
+  // only Fast computes at once.
+  const bool sooner = this->options.precision == Precision::Fast && this->occluders &&
+    this->occluders->supports(Precision::Exact) && this->occluders->surface().quadricCount() == 0;
+  result.precision = sooner ? Precision::Exact : this->options.precision;
   result.relativeTolerance = this->options.relativeTolerance;
   result.absoluteTolerance = tolerance;
   result.maximumRays = this->options.maximumRays;

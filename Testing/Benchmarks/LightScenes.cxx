@@ -81,6 +81,14 @@ public:
       PointArray::from(std::move(this->points_)), std::move(this->triangles_)));
   }
 
+  /// As VTK stores most meshes.
+  [[nodiscard]] std::shared_ptr<const Accelerator> accelerateFloats()
+  {
+    return build(std::make_shared<Surface>(
+      PointArray::from(std::vector<float>(this->points_.begin(), this->points_.end())),
+      std::move(this->triangles_)));
+  }
+
 private:
   std::vector<double> points_;
   std::vector<Triangle> triangles_;
@@ -235,7 +243,7 @@ LightScene scan()
   Mesh mesh;
   addFloor(mesh, 0.0, 1.0);
   mesh.add(lump, { 0.5, 0.5, 0.3 }, 0.2);
-  scene.occluders = mesh.accelerate();
+  scene.occluders = mesh.accelerateFloats();
   hangLight(scene, 0.5, 0.15, 0.995);
   for (int j = 0; j < 40; ++j)
   {
@@ -301,7 +309,7 @@ LightScene yard()
     mesh.addBox({ tree[0] - 0.2, tree[1] - 0.2, 0 }, { tree[0] + 0.2, tree[1] + 0.2, 3.5 }, false);
     mesh.add(data::sphere(8), { tree[0], tree[1], 5.2 }, 2.2);
   }
-  scene.occluders = mesh.accelerate();
+  scene.occluders = mesh.accelerateFloats();
   scene.sky = cieSky(12);
   scene.towardsSun = { 0.5, 0.5, std::sqrt(0.5) };
   scene.light = std::make_unique<GeneralSky>(
