@@ -60,6 +60,37 @@ private:
   std::array<Vec3, 3> axes_;
 };
 
+/// Directions by the radiance of the sky, in steps, times the cosine with the zenith: on nearly
+/// level ground each counts nearly the same under any sky. Only for sided views.
+class RadianceSkySamples : public LightSamples
+{
+public:
+  explicit RadianceSkySamples(const SkySource& sky);
+
+  void draw(
+    const std::array<double, 2>* points, std::size_t count, SourceSample* samples) const override;
+
+  /// Whether the ground is level enough.
+  [[nodiscard]] static bool suits(const SkySource& sky, const View& view);
+
+private:
+  static constexpr std::size_t rings = 32;
+  static constexpr std::size_t sectors = 64;
+
+  /// Where a number in [0, 1) falls among steps that rise from 0 to 1.
+  struct Place
+  {
+    std::size_t step;
+    double within; ///< 0 … 1
+  };
+  static Place place(const double* steps, std::size_t count, double x);
+
+  const SkySource& sky_;
+  std::array<Vec3, 3> axes_;
+  std::array<double, rings + 1> ringSteps_{};
+  std::array<std::array<double, sectors + 1>, rings> sectorSteps_{};
+};
+
 } // namespace lumitree
 
 #endif

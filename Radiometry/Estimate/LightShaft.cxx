@@ -90,7 +90,7 @@ bool SourceEstimatorBase::findCones(
   {
     region.push_back({ -1.0 * view.normal, -dot(view.normal, view.eye) });
   }
-  if (!this->find(view, this->scene_.mostClipped(), workspace))
+  if (!this->find(view, front.mostClipped, workspace))
   {
     return false;
   }

@@ -129,7 +129,7 @@ Estimate PolygonEstimator::estimate(
 }
 
 bool PolygonEstimator::findCones(const Polygon& polygon, double side, double height,
-  const View& view, EstimateWorkspace& workspace) const
+  std::size_t mostClipped, const View& view, EstimateWorkspace& workspace) const
 {
   LightFront front;
   front.hull = polygon.hull.data();
@@ -138,6 +138,7 @@ bool PolygonEstimator::findCones(const Polygon& polygon, double side, double hei
   front.towards = side * polygon.normal;
   front.height = height;
   front.clearance = polygon.clearance;
+  front.mostClipped = mostClipped;
   return SourceEstimatorBase::findCones(front, view, workspace);
 }
 
@@ -195,7 +196,8 @@ Estimate PolygonEstimator::estimate(
   look(polygon, view.eye, view, workspace.pieces);
   Amounts certain;
   Amounts open = result.value;
-  if (this->findCones(polygon, side, std::fabs(above), view, workspace))
+  const std::size_t mostClipped = this->scene_.mostClipped(tolerance, result.unoccluded);
+  if (this->findCones(polygon, side, std::fabs(above), mostClipped, view, workspace))
   {
     if (workspace.cones.empty())
     {

@@ -36,8 +36,8 @@ private:
     const Polygon& polygon, const Vec3& position, const View& view, std::vector<ConePiece>& pieces);
 
   /// Finds what is in the shaft and makes it cones; false where that is too much to be cut out.
-  bool findCones(const Polygon& polygon, double side, double height, const View& view,
-    EstimateWorkspace& workspace) const;
+  bool findCones(const Polygon& polygon, double side, double height, std::size_t mostClipped,
+    const View& view, EstimateWorkspace& workspace) const;
 
   void sample(const Polygon& polygon, const View& view, const Amounts& certain, const Amounts& open,
     double tolerance, EstimateWorkspace& workspace, Estimate& result) const;

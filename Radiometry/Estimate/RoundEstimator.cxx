@@ -155,6 +155,7 @@ Estimate RoundEstimator::estimate(
   {
     hull[front.count++] = view.eye + workspace.pieces[0].corners[i];
   }
+  front.mostClipped = this->scene_.mostClipped(tolerance, full.unoccluded);
   if (!this->findCones(front, view, workspace))
   {
     return this->sampleAll(view, full, tolerance, workspace);

@@ -78,6 +78,7 @@ void addHemisphere(const Vec3& axis, const View& view, std::vector<ConePiece>& p
 SkyEstimator::SkyEstimator(const SkySource& sky, const EstimateScene& scene)
   : SourceEstimatorBase(sky, scene)
   , sky_(sky)
+  , samples_(sky)
   , radiance_(linearRadiance(sky))
 {
   if (scene.occluders && scene.options.horizon && this->radiance_ && sky.groundRadiance() == 0.0 &&
@@ -91,7 +92,8 @@ SkyEstimator::SkyEstimator(const SkySource& sky, const EstimateScene& scene)
   }
 }
 
-bool SkyEstimator::cut(const View& view, EstimateWorkspace& workspace, Estimate& result) const
+bool SkyEstimator::cut(
+  const View& view, double tolerance, EstimateWorkspace& workspace, Estimate& result) const
 {
   // A sum of elevations and directions: cylinders along another axis have no such form.
   const bool oblique = view.cylindrical && this->radiance_ && this->radiance_->rising != 0.0 &&
@@ -115,8 +117,9 @@ bool SkyEstimator::cut(const View& view, EstimateWorkspace& workspace, Estimate&
   {
     region.push_back({ -1.0 * view.normal, -dot(view.normal, view.eye) });
   }
-  const std::size_t limit =
-    this->radiance_ && !oblique ? this->scene_.mostClipped() : std::size_t{ 0 };
+  const std::size_t limit = this->radiance_ && !oblique
+    ? this->scene_.mostClipped(tolerance, result.unoccluded)
+    : std::size_t{ 0 };
   if (!this->find(view, limit, workspace))
   {
     return false;
@@ -174,12 +177,18 @@ Estimate SkyEstimator::estimate(
   {
     return result;
   }
-  if (!this->cut(view, workspace, result))
+  if (!this->cut(view, tolerance, workspace, result))
   {
-    return CosineSkySamples::suits(this->sky_, view)
-      ? this->sampleAll(
-          view, result, tolerance, CosineSkySamples(this->sky_, view.normal), workspace)
-      : this->sampleAll(view, result, tolerance, workspace);
+    if (RadianceSkySamples::suits(this->sky_, view))
+    {
+      return this->sampleAll(view, result, tolerance, this->samples_, workspace);
+    }
+    if (CosineSkySamples::suits(this->sky_, view))
+    {
+      return this->sampleAll(
+        view, result, tolerance, CosineSkySamples(this->sky_, view.normal), workspace);
+    }
+    return this->sampleAll(view, result, tolerance, workspace);
   }
   result.value.main = std::clamp(result.value.main, 0.0, result.unoccluded);
   result.lower = result.value.main;

@@ -22,9 +22,11 @@ public:
 
 private:
   /// Whether the value is exact, in workspace pieces of the sky and of the ground.
-  bool cut(const View& view, EstimateWorkspace& workspace, Estimate& result) const;
+  bool cut(
+    const View& view, double tolerance, EstimateWorkspace& workspace, Estimate& result) const;
 
   const SkySource& sky_;
+  RadianceSkySamples samples_;            ///< of level ground
   std::optional<PieceRadiance> radiance_; ///< of the sky, where it is of that form
   std::optional<Skyline> skyline_;
 };

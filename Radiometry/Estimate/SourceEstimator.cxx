@@ -100,11 +100,12 @@ Estimate SourceEstimatorBase::sampleAll(const View& view, const Estimate& full, 
   return result;
 }
 
-std::size_t EstimateScene::mostClipped() const
+std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
 {
   constexpr double measuredAt = 0.01;
-  const double share = std::min(1.0, measuredAt / std::max(this->options.relativeTolerance, 1e-6));
-  return static_cast<std::size_t>(share * this->options.mostClipped);
+  const double relative = std::max(this->options.relativeTolerance, absolute / unoccluded);
+  return static_cast<std::size_t>(
+    std::min(1.0, measuredAt / std::max(relative, 1e-6)) * this->options.mostClipped);
 }
 
 RaySamplerOptions EstimateScene::sampling(double tolerance) const
@@ -112,8 +113,8 @@ RaySamplerOptions EstimateScene::sampling(double tolerance) const
   RaySamplerOptions result;
   result.occluders = this->occluders;
   result.shadowRays = this->shadowRays;
-  // Fast allows any answer, and whether anything is hit is known sooner without its parameter, which
-  // only Fast computes at once.
+  // Fast allows any answer, and whether anything is hit is known sooner without its parameter,
+  // which only Fast computes at once.
   const bool sooner = this->options.precision == Precision::Fast && this->occluders &&
     this->occluders->supports(Precision::Exact) && this->occluders->surface().quadricCount() == 0;
   result.precision = sooner ? Precision::Exact : this->options.precision;

@@ -53,7 +53,9 @@ struct EstimateScene
   std::size_t triangles;        ///< primitives from there on are not triangles
 
   /// How many occluders are worth being cut out.
-  [[nodiscard]] std::size_t mostClipped() const;
+  /// absolute: the tolerance beside the relative one, of a light that is `unoccluded` with nothing
+  /// in the way.
+  [[nodiscard]] std::size_t mostClipped(double absolute, double unoccluded) const;
 
   [[nodiscard]] RaySamplerOptions sampling(double absoluteTolerance) const;
 };
@@ -68,6 +70,7 @@ struct LightFront
   Vec3 towards = { 0.0, 0.0, 1.0 }; ///< unit normal of the hull, to the side of the eye
   double height = 0.0;              ///< of the eye above the hull
   double clearance = 0.0;           ///< what is nearer to the hull than that is the light
+  std::size_t mostClipped = 0;      ///< see EstimateScene
 
   /// A light that is a ball: what lies in it does not hide it.
   const Vec3* ballCentre = nullptr;

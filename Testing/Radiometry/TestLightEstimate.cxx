@@ -281,6 +281,73 @@ TEST(LightEstimate, IntervalsCoverTheTruthWithTheStoppingRuleOn)
   }
 }
 
+TEST(LightEstimate, RaysToSkiesAgreeWithWhatIsExactForEveryTilt)
+{
+  // Level ground, a slope and a wall draw their directions in ways of their own.
+  Triangles wall;
+  addQuad(wall, { 1, -1.5, 0 }, { 1, 1.5, 0 }, { 1, 1.5, 2 }, { 1, -1.5, 2 });
+  const auto occluders = accelerate(wall);
+  const OvercastSky overcast({ SkyLevel::Kind::ZenithRadiance, 1.0 });
+  const GeneralSky clear(
+    cieSky(12), { 0.5, 0.5, std::sqrt(0.5) }, SkyLevel{ SkyLevel::Kind::ZenithRadiance, 1.0 });
+  EstimateOptions rays;
+  rays.mostClipped = 0;
+  rays.horizon = false;
+  rays.relativeTolerance = 2e-3;
+  rays.maximumRays = 1u << 20;
+  for (const Vec3& n : { up, Vec3{ 0.6, 0.0, 0.8 }, Vec3{ 1.0, 0.0, 0.0 } })
+  {
+    const double exact = at(overcast, occluders.get(), { 0, 0, 0 }, {}, n).value;
+    const Result sampled = at(overcast, occluders.get(), { 0, 0, 0 }, rays, n);
+    EXPECT_EQ(sampled.method, EstimateMethod::Sampling);
+    EXPECT_NEAR(sampled.value, exact, 4e-3 * exact);
+
+    // No exact method knows this sky: rings and sectors of it.
+    double sum = 0.0;
+    constexpr int steps = 400;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double z = (i + 0.5) / steps;
+      for (int j = 0; j < 2 * steps; ++j)
+      {
+        const double a = pi * (j + 0.5) / steps;
+        const double r = std::sqrt(1.0 - z * z);
+        const Vec3 w = { r * std::cos(a), r * std::sin(a), z };
+        const bool hidden = w[0] > 0.0 && std::fabs(w[1]) < 1.5 * w[0] && z < 2.0 * w[0];
+        sum += hidden ? 0.0 : clear.radianceFrom(w) * std::max(0.0, dot(n, w));
+      }
+    }
+    sum *= pi / steps / steps;
+    EXPECT_NEAR(at(clear, occluders.get(), { 0, 0, 0 }, rays, n).value, sum, 6e-3 * sum);
+  }
+}
+
+TEST(LightEstimate, IntervalsCoverTheTruthBehindWhatIsFinerThanTheRays)
+{
+  // Leaves so small that one block of the sequence says little about another.
+  const auto leaves = build(surfaceOf<double>(data::randomCloud(3000, 7, 0.02)));
+  const PolygonSource light(
+    { { { { 0.3, 0.3, 1.5 }, { 0.3, 0.7, 1.5 }, { 0.7, 0.7, 1.5 }, { 0.7, 0.3, 1.5 } }, {}, 10.0,
+      false } });
+  std::size_t covered = 0;
+  constexpr int count = 150;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 p = { 0.2 + 0.004 * i, 0.8 - 0.003 * i, -0.2 };
+    EstimateOptions rays;
+    rays.seed = 17;
+    rays.mostClipped = 0;
+    rays.relativeTolerance = 1e-9;
+    rays.maximumRays = 1u << 16;
+    const double exact = at(light, leaves.get(), p, rays).value;
+    rays.seed = static_cast<std::uint64_t>(i) << 32;
+    rays.relativeTolerance = 0.04;
+    const Result r = at(light, leaves.get(), p, rays);
+    covered += exact >= r.lower && exact <= r.upper ? 1 : 0;
+  }
+  EXPECT_GE(covered, 0.9 * count);
+}
+
 TEST(LightEstimate, SameBitsForAnyNumberOfThreads)
 {
   const Room room(14); // two chunks
