@@ -206,7 +206,7 @@ Estimate LineEstimator::estimate(
   {
     return full;
   }
-  const std::size_t most = this->scene_.mostClipped();
+  const std::size_t most = this->scene_.mostClipped(tolerance, full.unoccluded);
   if (!this->shaft(view, this->tube_ ? std::min(most, mostAroundTube) : most, workspace))
   {
     return this->sampleAll(view, full, tolerance, workspace);
