@@ -31,8 +31,7 @@ for hour in range(5, 22):
         "all_weather",
         direct_normal=800.0,
         horizontal_irradiance=100.0,
-        sun_zenith=zenith,
-        sun_azimuth=azimuth,
+        sun=sun,
     )
     light = lumitree.irradiance(panel, [sun, sky], shadows=False)
     energy += light.values[0] / 1000.0

@@ -4,6 +4,11 @@
 
 #include "LumiLightShapes.h"
 
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -12,6 +17,7 @@
 #include "Radiometry/Quantities.h"
 #include "Radiometry/SunPosition.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -40,9 +46,45 @@ std::string vtkLumiSky::Problem() const
   return {};
 }
 
-std::string vtkLumiSky::FillFrom(vtkInformationVector**, vtkInformation*, vtkPolyData* output)
+vtkLumiSky::vtkLumiSky()
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+int vtkLumiSky::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+std::string vtkLumiSky::FillFrom(
+  vtkInformationVector** inputs, vtkInformation*, vtkPolyData* output)
 {
   using namespace lumitree;
+  double sunZenith = this->SunZenith;
+  double sunAzimuth = this->SunAzimuth;
+  bool night = false;
+  if (vtkDataSet* sunData = vtkDataSet::GetData(inputs[0]))
+  {
+    vtkDataArray* zeniths = sunData->GetFieldData()->GetArray("SunZenith [deg]");
+    vtkDataArray* azimuths = sunData->GetFieldData()->GetArray("SunAzimuth [deg]");
+    if (!zeniths || !azimuths || zeniths->GetNumberOfTuples() != 1 ||
+      azimuths->GetNumberOfTuples() != 1)
+    {
+      return "The input is no sun: it has no \"SunZenith [deg]\" and \"SunAzimuth [deg]\".";
+    }
+    constexpr double lowest = 89.9; // where the formulas of skies still have a meaning
+    sunZenith = zeniths->GetComponent(0, 0);
+    sunAzimuth = azimuths->GetComponent(0, 0);
+    night = sunZenith >= 90.0;
+    sunZenith = std::min(sunZenith, lowest);
+    if (!(std::isfinite(sunAzimuth) && sunZenith >= 0.0))
+    {
+      return "The place of the sun on the input is not finite.";
+    }
+  }
+  const double ground = night ? 0.0 : this->GroundRadiance;
   const auto system = static_cast<lumitree::LightSystem>(this->System);
   const bool photometric = this->System == Photometric;
   const Vec3 up = { this->Up[0], this->Up[1], this->Up[2] };
@@ -50,12 +92,12 @@ std::string vtkLumiSky::FillFrom(vtkInformationVector**, vtkInformation*, vtkPol
   try
   {
     SunPosition position;
-    position.zenith = this->SunZenith;
-    position.azimuth = this->SunAzimuth;
+    position.zenith = sunZenith;
+    position.azimuth = sunAzimuth;
     const Vec3 sun = towardsSun(position, north, up);
     SkyLevel level{ this->LevelQuantity == ZenithRadiance ? SkyLevel::Kind::ZenithRadiance
                                                           : SkyLevel::Kind::HorizontalIrradiance,
-      this->Level };
+      night ? 0.0 : this->Level };
     std::unique_ptr<Source> source;
     SkyDistribution distribution;
     const char* model = "general";
@@ -63,26 +105,26 @@ std::string vtkLumiSky::FillFrom(vtkInformationVector**, vtkInformation*, vtkPol
     {
       case Uniform:
         model = "uniform";
-        source = std::make_unique<UniformSky>(uniformRadiance(level), up, this->GroundRadiance);
+        source = std::make_unique<UniformSky>(uniformRadiance(level), up, ground);
         break;
       case CieOvercast:
         model = "overcast";
-        source = std::make_unique<OvercastSky>(level, up, this->GroundRadiance);
+        source = std::make_unique<OvercastSky>(level, up, ground);
         break;
       case CieGeneral:
         distribution = cieSky(this->CieType);
         break;
       default:
       {
-        const double zenith = this->SunZenith * pi / 180.0;
+        const double zenith = sunZenith * pi / 180.0;
         distribution =
           perezSky(skyCondition(this->DirectNormal, this->DiffuseHorizontal, zenith), zenith);
-        level = { SkyLevel::Kind::HorizontalIrradiance, this->DiffuseHorizontal };
+        level = { SkyLevel::Kind::HorizontalIrradiance, night ? 0.0 : this->DiffuseHorizontal };
       }
     }
     if (!source)
     {
-      source = std::make_unique<GeneralSky>(distribution, sun, level, up, this->GroundRadiance);
+      source = std::make_unique<GeneralSky>(distribution, sun, level, up, ground);
       AddTuple(output, "SkyTowardsSun", sun.data(), 3);
       AddValues(output, "SkyDistribution",
         { distribution.a, distribution.b, distribution.c, distribution.d, distribution.e,
@@ -102,7 +144,7 @@ std::string vtkLumiSky::FillFrom(vtkInformationVector**, vtkInformation*, vtkPol
         photometric ? "lx" : "W/m^2", level.value);
     }
     AddQuantity(output, photometric ? "GroundLuminance" : "GroundRadiance",
-      photometric ? "cd/m^2" : "W/(m^2 sr)", this->GroundRadiance);
+      photometric ? "cd/m^2" : "W/(m^2 sr)", ground);
     filters::drawSky(output, *source, up, { this->Anchor[0], this->Anchor[1], this->Anchor[2] },
       this->Length, arrayName(Quantity::Radiance, system).c_str());
   }

@@ -23,6 +23,10 @@
  * (`DiffuseHorizontalIlluminance [lx]`), `GroundRadiance [W/(m^2 sr)]` (`GroundLuminance
  * [cd/m^2]`).
  *
+ * Input port 0, optional: a sun of vtkLumiSun, or any data with its field data `SunZenith [deg]`
+ * and `SunAzimuth [deg]`. The sky then follows it, through its time steps too, and is dark, as is
+ * the ground, while it is below the horizon.
+ *
  * @sa vtkLumiSun vtkLumiIrradiance
  */
 #ifndef vtkLumiSky_h
@@ -99,7 +103,8 @@ public:
   ///@{
   /**
    * Where the sun is, in degrees: from the zenith, 0 to 90 (below 90 for AllWeather), and from
-   * north over east. Defaults 45 and 180. Skies without a corona do not ask.
+   * north over east. Defaults 45 and 180. Skies without a corona do not ask. Without effect where
+   * there is a sun on the input.
    */
   vtkSetMacro(SunZenith, double);
   vtkGetMacro(SunZenith, double);
@@ -139,8 +144,10 @@ public:
   ///@}
 
 protected:
-  vtkLumiSky() = default;
+  vtkLumiSky();
   ~vtkLumiSky() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
 
   const char* Type() const override { return "sky"; }
   std::string Problem() const override;

@@ -254,6 +254,7 @@ def sky_light(
     direct_normal: float | None = None,
     sun_zenith: float = 45.0,
     sun_azimuth: float = 180.0,
+    sun: vtkPolyData | None = None,
     ground_radiance: float = 0.0,
     north: ArrayLike = (0, 1, 0),
     up: ArrayLike = (0, 0, 1),
@@ -267,6 +268,7 @@ def sky_light(
         horizontal_irradiance (diffuse), both in W/m^2.
     zenith_radiance, horizontal_irradiance : one of them; W/(m^2 sr) or cd/m^2, W/m^2 or lx.
     sun_zenith, sun_azimuth : degrees from the zenith, and from north over east.
+    sun : of `sun_light`, in place of these; the sky is dark while it is below the horizon.
     ground_radiance : of everything below the horizon.
 
     Raises ValueError for a model that is none or a level that does not fit it, LumitreeError for
@@ -296,6 +298,10 @@ def sky_light(
         source.SetLevel(float(level))
     source.SetSunZenith(float(sun_zenith))
     source.SetSunAzimuth(float(sun_azimuth))
+    if sun is not None:
+        if not isinstance(sun, vtkPolyData):
+            raise ValueError(f"sun must be of sun_light, not {type(sun).__name__}")
+        source.SetInputData(sun)
     source.SetGroundRadiance(float(ground_radiance))
     source.SetNorth(*vector(north, "north"))
     source.SetUp(*vector(up, "up"))

@@ -270,6 +270,30 @@ TEST(LightTypes, TheSunHasTime)
     sun->GetOutput()->GetFieldData()->GetArray("NormalIrradiance [W/m^2]")->GetComponent(0, 0),
     1000.0);
   EXPECT_EQ(sun->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 12.0);
+
+  // A sky around it has the same time.
+  vtkNew<vtkLumiSky> sky;
+  sky->SetModel(vtkLumiSky::AllWeather);
+  sky->SetInputConnection(sun->GetOutputPort());
+  sky->UpdateInformation();
+  EXPECT_EQ(sky->GetOutputInformation(0)->Length(Pipeline::TIME_STEPS()), 25);
+  const auto of = [](vtkAlgorithm* light, const char* name, double time, int component)
+  {
+    light->UpdateTimeStep(time);
+    return vtkDataObject::SafeDownCast(light->GetOutputDataObject(0))
+      ->GetFieldData()
+      ->GetArray(name)
+      ->GetComponent(0, component);
+  };
+  for (const double time : { 9.0, 15.0 })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(of(sky, "SkyTowardsSun", time, k), -of(sun, "LightDirection", time, k), 1e-12);
+    }
+  }
+  EXPECT_EQ(of(sky, "DiffuseHorizontalIrradiance [W/m^2]", 15.0, 0), 100.0);
+  EXPECT_EQ(of(sky, "DiffuseHorizontalIrradiance [W/m^2]", 0.0, 0), 0.0);
 }
 
 TEST(LightTypes, PhotometricFile)

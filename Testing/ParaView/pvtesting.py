@@ -35,6 +35,7 @@ PROXIES = {
         "LumiRayCast",
         "LumiRayDisagreement",
         "LumiStructureComparison",
+        "LumiSkyOfSun",
         "LumiSolidAngle",
         "LumiSurfaceRays",
         "LumiSurfaceReport",

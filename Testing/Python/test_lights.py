@@ -133,3 +133,25 @@ def test_lights_of_the_command_line(tmp_path):
     for text in ("ies:lamp", "spot:0,0,2:1", "tube:0,0,0:1", "laser:1"):
         with pytest.raises(ValueError, match="is not written as"):
             parse_light(text)
+
+
+def test_the_sky_follows_the_sun():
+    def sky_at(hour, **options):
+        sun = lumitree.sun_light(datetime(2024, 6, 21, hour, tzinfo=timezone.utc), 48.1, 11.6)
+        sky = lumitree.sky_light(
+            "all_weather", direct_normal=800.0, horizontal_irradiance=100.0, sun=sun, **options
+        )
+        return sun.GetFieldData(), sky.GetFieldData()
+
+    sun, sky = sky_at(9)
+    towards = np.array(sky.GetArray("SkyTowardsSun").GetTuple(0))
+    assert towards == pytest.approx(-np.array(sun.GetArray("LightDirection").GetTuple(0)))
+    level = "DiffuseHorizontalIrradiance [W/m^2]"
+    assert sky.GetArray(level).GetValue(0) == 100.0
+    _, night = sky_at(23, ground_radiance=3.0)
+    assert night.GetArray(level).GetValue(0) == 0.0
+    assert night.GetArray("GroundRadiance [W/(m^2 sr)]").GetValue(0) == 0.0
+    with pytest.raises(lumitree.LumitreeError):
+        lumitree.sky_light("uniform", zenith_radiance=1.0, sun=lumitree.scene("sphere"))
+    with pytest.raises(ValueError):
+        lumitree.sky_light("uniform", zenith_radiance=1.0, sun="noon")

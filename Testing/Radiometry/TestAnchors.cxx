@@ -4,13 +4,21 @@
 // integral that defines the quantity.
 #include "Radiometry/Constants.h"
 #include "Radiometry/DirectionalSource.h"
+#include "Radiometry/DiskSource.h"
+#include "Radiometry/Integration/GaussLegendre.h"
 #include "Radiometry/IsotropicPointSource.h"
+#include "Radiometry/LightEstimate.h"
+#include "Radiometry/SkySource.h"
 #include "Radiometry/SolidAngle.h"
+#include "Testing/Accel/TestHelpers.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -122,6 +130,77 @@ TEST(Anchors, AClosedBoxCatchesAllFlux)
     sum += flux;
   }
   expectNear(sum, 1000.0);
+}
+
+TEST(Anchors, CylindricalIrradianceOfAPoint)
+{
+  const double angle = 50.0 * pi / 180.0;
+  const IsotropicPointSource source(
+    4.0 * pi * 100.0, { 3.0 * std::sin(angle), 0.0, 3.0 * std::cos(angle) });
+  const Vec3 place = { 0.0, 0.0, 0.0 };
+  double value = 0.0;
+  Receivers receivers;
+  receivers.size = 1;
+  receivers.positions = place.data();
+  EstimateOutputs outputs;
+  outputs.cylindrical = &value;
+  estimateLight(receivers, { &source }, outputs);
+  expectNear(value, 2.709327994454747);
+}
+
+/// Irradiance of upward receivers under the uniform sky of radiance 1 between walls along y, far
+/// enough to be endless.
+double underSky(double x, const std::vector<std::pair<double, double>>& wallsAndHeights)
+{
+  std::vector<std::array<Vec3, 3>> walls;
+  constexpr double far = 1e4;
+  for (const auto& [at, height] : wallsAndHeights)
+  {
+    const Vec3 a = { at, -far, 0.0 };
+    const Vec3 b = { at, far, 0.0 };
+    const Vec3 up = { 0.0, 0.0, height };
+    walls.push_back({ { a, b, b + up } });
+    walls.push_back({ { a, b + up, a + up } });
+  }
+  const auto occluders = build(lumitree::testing::surfaceOf<double>(walls));
+  const Vec3 place = { x, 0.0, 0.0 };
+  const Vec3 normal = { 0.0, 0.0, 1.0 };
+  double value = 0.0;
+  Receivers receivers;
+  receivers.size = 1;
+  receivers.positions = place.data();
+  receivers.normals = normal.data();
+  EstimateOutputs outputs;
+  outputs.irradiance = &value;
+  EstimateOptions options;
+  options.occluders = occluders.get();
+  estimateLight(receivers, { std::make_unique<UniformSky>(1.0).get() }, outputs, options);
+  return value;
+}
+
+TEST(Anchors, AWallAtThePointHidesHalfTheSky)
+{
+  EXPECT_NEAR(underSky(0.0, { { 1e-6, 1e4 } }), 1.570796326794897, 1e-8);
+}
+
+TEST(Anchors, MeanSkyViewOfACanyon)
+{
+  const double mean = integrate<16>(0.0, 1.0,
+    [](double x) {
+      return underSky(x, { { 0.0, 1.0 }, { 1.0, 1.0 } }) / pi;
+    });
+  EXPECT_NEAR(mean, 0.414213562373095, 1e-8);
+}
+
+TEST(Anchors, ACylinderSeesItself)
+{
+  // What its ends do not see of each other they see of it, and it of them.
+  const DiskSource top(1.0, { 0.0, 0.0, 2.0 }, { 0.0, 0.0, -1.0 }, 1.0);
+  const double between = integrate<24>(0.0, 1.0,
+    [&](double r) {
+      return 2.0 * r * top.irradiance({ r, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }) / pi;
+    });
+  EXPECT_NEAR(1.0 - 0.5 * (1.0 - between), 0.585786437626905, 1e-10);
 }
 
 TEST(SolidAngle, SignSaysWhichSideIsSeen)
