@@ -3,9 +3,8 @@
 #ifndef Lumitree_Accel_Structures_BspWalk_h
 #define Lumitree_Accel_Structures_BspWalk_h
 
-#include "Accel/Kernel/RayBox.h"
-#include "Accel/Kernel/Span.h"
 #include "Accel/Structures/BspNodes.h"
+#include "Accel/Structures/PlaneWalk.h"
 
 namespace lumitree
 {
@@ -71,65 +70,18 @@ private:
   }
 };
 
-/// Takes a ray through a BSP-tree, the nearer child first. Each cell is met over an interval of t
-/// that holds all t of the segment inside the closed cell: the bounds of the crossing cut the near
-/// child's end and the far child's beginning, so both are visited where the interval overlaps them.
+/// Takes a ray through a BSP-tree.
 template <class Visitor>
 void walkBspTree(const BspNodes& tree, const Ray& ray, const RayBox& box, Visitor& visitor)
 {
-  struct Entry
-  {
-    std::uint32_t node;
-    double tEnter;
-    double tExit;
-  };
-  // At most one far child waits per level, and no node lies deeper than 64.
-  Entry stack[65];
-  int height = 0;
-  Entry current = { 0, 0.0, 0.0 };
-  double tStop = visitor.tStop();
-  if (!box.meets(tree.cell, tStop, current.tEnter, current.tExit))
-  {
-    return;
-  }
-  while (true)
-  {
-    visitor.node(current.node);
-    const BspNode& node = tree.nodes[current.node];
-    if (!node.leaf)
+  walkPlanes(
+    tree, box, [](const BspNode& node) { return node.leaf; },
+    [&ray](const BspNode& node)
     {
       const BspCrossing crossing(node, ray);
-      const std::uint32_t nearAbove = crossing.nearAbove ? 1 : 0;
-      const Entry nearChild = { node.first + nearAbove, current.tEnter,
-        std::min(crossing.high, current.tExit) };
-      const Entry farChild = { node.first + 1 - nearAbove, std::max(crossing.low, current.tEnter),
-        current.tExit };
-      // low <= high but for a ray beside the plane, which is on the near side.
-      if (!(nearChild.tEnter <= nearChild.tExit))
-      {
-        current = farChild;
-        continue;
-      }
-      if (farChild.tEnter <= farChild.tExit && farChild.tEnter <= tStop)
-      {
-        stack[height++] = farChild;
-      }
-      current = nearChild;
-      continue;
-    }
-    if (node.count > 0)
-    {
-      tStop = visitor.leaf({ node.first, node.count, current.tEnter });
-    }
-    do
-    {
-      if (height == 0)
-      {
-        return;
-      }
-      current = stack[--height];
-    } while (current.tEnter > tStop);
-  }
+      return PlaneCrossing{ crossing.nearAbove, crossing.low, crossing.high };
+    },
+    visitor);
 }
 
 } // namespace lumitree

@@ -116,7 +116,6 @@ public:
   template <bool any, bool robust, class Take>
   void trace(const Rays& rays, const Take& take) const
   {
-    bvh::v2::SmallStack<typename bvh::v2::Bvh<Node>::Index, 64> stack;
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       const float* const o = rays.origins.data() + 3 * i;
@@ -124,6 +123,8 @@ public:
       bvh::v2::Ray<T, 3> ray(
         Vec(o[0], o[1], o[2]), Vec(d[0], d[1], d[2]), T{ 0 }, static_cast<T>(rays.tMax));
       Hit hit;
+      // One for each ray: a walk that stops at any hit leaves it as it is.
+      bvh::v2::SmallStack<typename bvh::v2::Bvh<Node>::Index, 64> stack;
       this->bvh_.template intersect<any, robust>(ray, this->bvh_.get_root().index, stack,
         [&](std::size_t begin, std::size_t end)
         {
