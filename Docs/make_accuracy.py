@@ -30,7 +30,6 @@ HERE = Path(__file__).resolve().parent
 PAGE = HERE / "accuracy.md"
 ORDINARY = ("Random", "Camera")
 DEGENERATE = ("ThroughVertex", "ThroughEdge", "TowardVertex")
-BRUTE_FORCE_RAYS = 100
 UTM = (500000.0, 4649776.0, 100.0)
 COLOURS = {"exact": "#1b7837", "watertight": "#2166ac", "fast": "#92c5de"}
 
@@ -145,13 +144,6 @@ def draw_chart(rows: list[dict], path: Path) -> None:
     figure.tight_layout()
     figure.savefig(path, dpi=90)
     pyplot.close(figure)
-
-
-def measure(surface: tuple, rays: int) -> list[dict]:
-    """All back ends; brute force, thousands of times as slow, with few rays."""
-    rows = lumitree.accuracy_chart(surface, rays, repeats=2, brute_force_limit=0)
-    few = lumitree.accuracy_chart(surface, min(rays, BRUTE_FORCE_RAYS), repeats=1, brute_force_limit=2**31 - 1)
-    return rows + [row for row in few if row["BackEnd"] == "brute_force"]
 
 
 def first_failure(wrong: np.ndarray) -> int | None:
@@ -272,7 +264,7 @@ def main() -> None:
     for name, surface in meshes().items():
         print(name, flush=True)
         sizes.append(f"{name} ({len(surface[1]):,} triangles)")
-        for row in measure(surface, rays):
+        for row in lumitree.accuracy_chart(surface, rays, repeats=2, brute_force_limit=2**31 - 1):
             rows.append({"Mesh": name, **row})
     out = HERE.parent / "out"
     out.mkdir(exist_ok=True)
@@ -284,7 +276,7 @@ def main() -> None:
     draw_failures(HERE / "images" / "accuracy-failures.png")
     facts = (
         f"Machine: {processor()}, one thread, processor time, the better of two. {rays:,} rays of each kind on each mesh "
-        f"(brute force: {min(rays, BRUTE_FORCE_RAYS)}): "
+        f"(brute force: {min(row['Rays'] for row in rows)} at least): "
         + "; ".join(sizes) + "."
     )  # fmt: skip
     text = PAGE.read_text(encoding="utf-8")

@@ -43,8 +43,12 @@ struct Contender
   std::string backEnd;
   std::string setting;
   std::string precision;
-  std::function<void(const RaySet&, Hit*)> closest;
+  std::function<void(const RayBatch&, Hit*)> closest;
+  std::size_t mostRays = std::numeric_limits<std::size_t>::max(); ///< no more are asked
 };
+
+/// Brute force is asked so many rays that it tests this many triangles, and 100 at least.
+constexpr std::size_t bruteForceTests = 20000000;
 
 void addStructure(std::vector<Contender>& all, const std::shared_ptr<const Surface>& surface,
   const BuildOptions& options, const std::string& setting)
@@ -58,7 +62,12 @@ void addStructure(std::vector<Contender>& all, const std::shared_ptr<const Surfa
       query.precision = precision;
       query.threads = 1;
       all.push_back({ std::string(name(options.structure)), setting, std::string(name(precision)),
-        [=](const RaySet& rays, Hit* hits) { accelerator->closest(rays.batch(), hits, query); } });
+        [=](const RayBatch& rays, Hit* hits) { accelerator->closest(rays, hits, query); } });
+      if (options.structure == Structure::BruteForce)
+      {
+        all.back().mostRays =
+          std::max<std::size_t>(100, bruteForceTests / std::max<std::size_t>(1, surface->size()));
+      }
     }
   }
 }
@@ -150,11 +159,11 @@ void addVtk(std::vector<Contender>& all, const std::shared_ptr<const Surface>& s
   for (const double tolerance : { 0.0, 1e-6 })
   {
     all.push_back({ "vtkStaticCellLocator", tolerance > 0.0 ? "tolerance 1e-6" : "tolerance 0", "",
-      [=](const RaySet& rays, Hit* hits)
+      [=](const RayBatch& rays, Hit* hits)
       {
-        for (std::size_t i = 0; i < rays.size(); ++i)
+        for (std::size_t i = 0; i < rays.size; ++i)
         {
-          const Ray ray = rays.batch()[i];
+          const Ray ray = rays[i];
           hits[i] = triangles->closest(*surface, ray.origin, ray.direction, tolerance);
         }
       } });
@@ -165,7 +174,7 @@ void addVtk(std::vector<Contender>& all, const std::shared_ptr<const Surface>& s
 void compare(const std::vector<Hit>& hits, const AllHits& truth, AccuracyRow& row)
 {
   std::vector<double> errors;
-  for (std::size_t i = 0; i < hits.size(); ++i)
+  for (std::size_t i = 0; i < row.rays; ++i)
   {
     const auto first = truth.hits.begin() + static_cast<std::ptrdiff_t>(truth.offsets[i]);
     const auto last = truth.hits.begin() + static_cast<std::ptrdiff_t>(truth.offsets[i + 1]);
@@ -225,16 +234,18 @@ std::vector<AccuracyRow> measureAccuracy(std::shared_ptr<const Surface> surface,
       row.setting = c.setting;
       row.precision = c.precision;
       row.rayKind = rays.kind;
-      row.rays = rays.size();
+      row.rays = std::min(rays.size(), c.mostRays);
+      RayBatch asked = rays.batch();
+      asked.size = row.rays;
       std::vector<Hit> hits(rays.size());
       double best = std::numeric_limits<double>::infinity();
       for (int r = 0; r < options.repeats; ++r)
       {
         const double start = processorSeconds();
-        c.closest(rays, hits.data());
+        c.closest(asked, hits.data());
         best = std::min(best, processorSeconds() - start);
       }
-      row.nanosecondsPerRay = 1e9 * best / static_cast<double>(rays.size());
+      row.nanosecondsPerRay = 1e9 * best / static_cast<double>(row.rays);
       compare(hits, truth, row);
       rows.push_back(std::move(row));
       if (!goOn(static_cast<double>(rows.size()) /

@@ -70,7 +70,8 @@ public:
 
   ///@{
   /**
-   * Brute force is left out for surfaces of more triangles. At least 0, default 2000.
+   * Brute force is left out for surfaces of more triangles. At least 0, default 2000. It is asked
+   * only so many rays that it tests 2e7 triangles, or 100; the column Rays has their number.
    */
   vtkSetClampMacro(BruteForceLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(BruteForceLimit, int);

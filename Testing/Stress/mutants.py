@@ -28,7 +28,7 @@ STYLE = "StyleFloatingPointFlags"
 # All of the core's tests, the quick ones first; those that a mutant names run before them.
 TESTS = (
     "Triangles Boxes SkipSets Surface Choices Hierarchy Grid Cells Stress FilterBound KdTree Octree "
-    "TriangleBoxOverlap ExactPredicates ExactStages AgainstBruteForce Quadrics Queries Watertight Builders Numbers"
+    "TriangleBoxOverlap ExactPredicates ExactStages AgainstBruteForce Quadrics Queries Save Watertight Builders Numbers"
 ).split()
 QUICK = 12
 
@@ -128,8 +128,8 @@ at -O1 and runs the core's tests (without CGAL and Embree), the likeliest first,
 what it breaks is not tested.
 
 Not among them is what changes no answer: `<` for `<=` between entry and exit of a padded slab (the pads keep them apart; with the pads gone it
-is a mutant below), what only costs time (an order of children, a box that is met too often), and pads of the eight-wide tree that others
-cover ([exactness](exactness.md), *Boxes in float*).
+is a mutant below), what only costs time (an order of children, a box that is met too often), and a pad of the eight-wide tree that another one
+covers: those of boxes and of origins make good for each other ([exactness](exactness.md), *Boxes in float*), both together are a mutant.
 
 """
 

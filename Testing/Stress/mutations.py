@@ -27,6 +27,7 @@ def mutant(what: str, tests: str, *edits: str) -> Mutant:
 
 RAY_BOX = "Accel/Kernel/RayBox.h"
 WIDE_RAY = "Accel/Structures/WideRay-inl.h"
+BVH_FRAME = "Accel/Structures/BvhFrame.h"
 WIDE_WALK = "Accel/Structures/WideBvhWalk.cxx"
 FILTER = "Accel/Kernel/BlockFilter-inl.h"
 EDGES = "Accel/Kernel/EdgeFilter.h"
@@ -72,13 +73,13 @@ WIDE_BVH = [
            WIDE_RAY, "slabPad = 0x1p-21f", "slabPad = 0.0f"),
     mutant("The far planes' pad with the sign of the near ones'", "Boxes Stress",
            WIDE_RAY, "Float4::all(1.0f + pad)", "Float4::all(1.0f - pad)"),
-    mutant("No interval around the eight-wide tree's origin", "Boxes Stress",
-           WIDE_RAY, "absolute(o) * Double4::all(0x1p-22) + Double4::all(0x1p-120)", "Double4::all(0.0)"),
+    mutant("Neither the eight-wide tree's boxes nor its origins are rounded outward", "Boxes Stress",
+           WIDE_RAY, "absolute(o) * Double4::all(0x1p-22) + Double4::all(0x1p-120)", "Double4::all(0.0)",
+           BVH_FRAME, "v - (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v",
+           BVH_FRAME, "v + (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v"),
     mutant("The wrong end of the origin's interval for far planes", "Boxes Stress",
            WIDE_RAY, "this->originFar[k] = negative ? high[k] : low[k];",
            "this->originFar[k] = negative ? low[k] : high[k];"),
-    mutant("The eight-wide tree's boxes are not rounded outward", "Boxes Stress",
-           "Accel/Structures/BvhFrame.h", "v - (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v"),
     mutant("A float reciprocal that overflows constrains", "Boxes Stress",
            WIDE_RAY, "std::fabs(this->nearReciprocal[k]) > 0x1p118f", "false"),
     mutant("Far origins overflow: nothing is met from there", "Boxes Stress",
@@ -265,8 +266,8 @@ STRUCTURES = [
            "Accel/Structures/GridSweep.h",
            "return std::fabs(t) * RayBox::relativePad + RayBox::absolutePad;", "return 0.0;"),
     mutant("The first cell with a hit ends the walk of a grid", "Cells Grid",
-           "Accel/Structures/Grid.cxx", "} while (sweep.advance(visitor.tStop()));",
-           "} while (!(visitor.tStop() < ray.tMax()) && sweep.advance(visitor.tStop()));"),
+           "Accel/Structures/Grid.cxx", "} while (sweep.advance(",
+           "} while (!(visitor.tStop() < ray.tMax()) && sweep.advance("),
     mutant("The first leaf with a hit ends the walk of an octree", "Cells Octree",
            "Accel/Structures/Octree.cxx",
            "tStop = visitor.leaf({ this->firstBlock_[current.node], node.count, current.tEnter });\n        continue;",
@@ -307,4 +308,20 @@ QUADRICS = [
            "signAt(Quadratic::along(ray, k, quadric.clip.upper[k]), root) >= 0"),
 ]  # fmt: skip
 
-MUTANTS = BOXES + WIDE_BVH + LEAF + DECISIONS + PASSAGES + NUMBERS + STRUCTURES + QUADRICS
+SAVED = [
+    mutant("A saved structure is loaded over any surface", "Save",
+           "Accel/Save/Save.cxx", "require(std::equal(of.begin(), of.end(), fingerprint.begin())", "require(true"),
+    mutant("A saved structure's checksum is not looked at", "Save",
+           "Accel/Save/Save.cxx", "require(checksum.get<std::uint32_t>() == checksumOf(header, body)", "require(true"),
+    mutant("A saved structure may end early", "Save",
+           "Accel/Save/SaveStream.h", "if (count > this->bytes_.size() / size)", "if (false)"),
+    mutant("A saved node may have two parents", "Save",
+           "Accel/Structures/BvhSave.cxx", "&& !taken[first] && !taken[first + 1]", ""),
+    mutant("A saved tree may be of any depth", "Save",
+           "Accel/Structures/BvhSave.cxx", "require(depths[i] < depthLimit,", "require(true,"),
+    mutant("Of a refitted tree the boxes are those of each leaf's first primitive", "Save",
+           "Accel/Structures/BvhLeaves.cxx", "i < firsts[leaf + 1]; ++i)\n        {\n          box.extend",
+           "i < firsts[leaf] + 1; ++i)\n        {\n          box.extend"),
+]  # fmt: skip
+
+MUTANTS = NUMBERS + WIDE_BVH + STRUCTURES + PASSAGES + BOXES + DECISIONS + SAVED + QUADRICS + LEAF
