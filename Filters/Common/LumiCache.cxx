@@ -8,6 +8,7 @@
 #include "LumiReplicate.h"
 #include "LumiReport.h"
 #include "LumiSharedSurface.h"
+#include "LumiStopwatch.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkMultiProcessController.h"
@@ -280,10 +281,13 @@ std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& op
   vtkMultiProcessController* controller, vtkAlgorithm* reporter, GatherArrays arrays,
   JobControl* control)
 {
+  auto tree = std::make_shared<Tree>();
+  Stopwatch stopwatch;
   Located located;
   try
   {
     located = locate(input, controller, arrays, options.threads);
+    tree->surfaceSeconds = stopwatch.lap();
   }
   catch (const std::exception& error)
   {
@@ -292,7 +296,6 @@ std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& op
   }
   try
   {
-    auto tree = std::make_shared<Tree>();
     tree->accelerator = unlessStopped(*located.surface, options, control);
     // Stopped on one rank, all ranks go without, so that none waits for another.
     const bool stopped = !tree->accelerator;
@@ -301,6 +304,7 @@ std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& op
       return nullptr;
     }
     tree->input = located.surface->input(located.leaves);
+    tree->buildSeconds = stopwatch.lap();
     return tree;
   }
   catch (const std::exception& error)

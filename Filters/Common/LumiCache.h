@@ -26,6 +26,10 @@ struct Tree
 {
   std::shared_ptr<const SurfaceInput> input;
   std::shared_ptr<const Accelerator> accelerator;
+  /// What this call of treeFor took, next to nothing where something was at hand: to find or make
+  /// the surface, and the accelerator.
+  double surfaceSeconds = 0.0;
+  double buildSeconds = 0.0;
 };
 
 /// Whether the point and cell arrays of other ranks are gathered with the triangles. Only those who

@@ -76,6 +76,50 @@ void triangulate(const std::vector<PolygonCell>& order, std::size_t begin, std::
   }
 }
 
+/// Whether a leaf is nothing but triangles that all occlude, in the order of their cells: most
+/// surfaces are, and then nothing needs to be sorted or cut.
+bool isPlain(const ExtractedSurface& surface, const CellSelection& selection)
+{
+  vtkPolyData* data = surface.polygons;
+  return !surface.cellIds && selection.states.empty() && data->GetNumberOfPolys() > 0 &&
+    data->GetNumberOfPolys() == data->GetNumberOfCells() && data->GetPolys()->IsHomogeneous() == 3;
+}
+
+/// Takes the triangles of a plain leaf straight out of its connectivity.
+void takeTriangles(vtkPolyData* data, int threads, LeafTriangles& result)
+{
+  vtkCellArray* polys = data->GetPolys();
+  const auto count = static_cast<std::size_t>(polys->GetNumberOfCells());
+  result.triangles.resize(count);
+  result.cells.resize(count);
+  const auto take = [&](const auto* corners)
+  {
+    parallelFor(count, chunkSize, threadsFor(threads), nullptr,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          vtkIdType ids[3];
+          for (std::size_t k = 0; k < 3; ++k)
+          {
+            ids[k] = static_cast<vtkIdType>(corners[3 * i + k]);
+            result.triangles[i][k] = static_cast<std::uint32_t>(ids[k]);
+          }
+          result.cells[i] = static_cast<std::int64_t>(i);
+          checkPoints(3, ids, result.points.count, result.cells[i]);
+        }
+      });
+  };
+  if (polys->IsStorage64Bit())
+  {
+    take(polys->GetConnectivityArray64()->GetPointer(0));
+  }
+  else
+  {
+    take(polys->GetConnectivityArray32()->GetPointer(0));
+  }
+}
+
 /// Quadrics whose vertex is a ghost do not occlude either.
 void takeQuadrics(vtkDataSet* leaf, const CellSelection& selection, LeafTriangles& result)
 {
@@ -118,6 +162,11 @@ LeafTriangles trianglesOf(vtkDataSet* leaf, int threads)
     throw std::invalid_argument("more than 2^32 - 2 points in one dataset");
   }
 
+  if (isPlain(surface, selection))
+  {
+    takeTriangles(surface.polygons, threads, result);
+    return result;
+  }
   const std::vector<PolygonCell> order = polygonsInOrder(surface, selection);
   std::vector<Chunk> chunks((order.size() + chunkSize - 1) / chunkSize);
   parallelFor(order.size(), chunkSize, threadsFor(threads), nullptr,

@@ -38,20 +38,9 @@ Cast::Cast(QueryKind query, const Accelerator& accelerator, const RayBatch& rays
 
 vtkIdType Cast::count(std::size_t ray) const
 {
-  switch (this->query_)
-  {
-    case QueryKind::Closest:
-      return this->nearest_[ray].primitive == noPrimitive ? 0 : 1;
-    case QueryKind::Any:
-      return this->any_[ray];
-    case QueryKind::Count:
-    case QueryKind::Crossings:
-      return static_cast<vtkIdType>(this->counts_[ray]);
-    case QueryKind::All:
-    case QueryKind::Ties:
-      break;
-  }
-  return static_cast<vtkIdType>(this->all_.offsets[ray + 1] - this->all_.offsets[ray]);
+  vtkIdType result = 0;
+  this->withCounts([&](auto countOf) { result = countOf(ray); });
+  return result;
 }
 
 } // namespace lumitree::filters

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Filters_Rays_LumiCast_h
 #define Lumitree_Filters_Rays_LumiCast_h
 
+#include "LumiMemory.h"
 #include "LumitreeFiltersRaysModule.h"
 
 #include "Accel/Accelerator.h"
@@ -11,7 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <cstdlib>
 #include <type_traits>
 #include <vector>
 
@@ -27,17 +28,10 @@ class Buffer
 
 public:
   explicit Buffer(std::size_t n)
-    : size_(n)
-    , values_(n > 0 ? std::allocator<T>().allocate(n) : nullptr)
+    : values_(n > 0 ? static_cast<T*>(allocate(n * sizeof(T))) : nullptr)
   {
   }
-  ~Buffer()
-  {
-    if (this->values_)
-    {
-      std::allocator<T>().deallocate(this->values_, this->size_);
-    }
-  }
+  ~Buffer() { std::free(this->values_); }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
@@ -45,7 +39,6 @@ public:
   T& operator[](std::size_t i) const { return this->values_[i]; }
 
 private:
-  std::size_t size_;
   T* values_;
 };
 
@@ -71,7 +64,33 @@ public:
   /// How many hits that ray has; of Closest and Any 0 or 1; of Crossings, how many passages.
   [[nodiscard]] vtkIdType count(std::size_t ray) const;
 
-  /// The count(ray) hits of that ray, nearest first. Only when givesHits().
+  /// Calls work with a function that does what count does. Its type differs from query to query, so
+  /// that a loop over rays asks for the query once and not for each ray.
+  template <class Work>
+  void withCounts(Work&& work) const
+  {
+    switch (this->query_)
+    {
+      case QueryKind::Closest:
+        work([hits = this->nearest_.data()](std::size_t ray) -> vtkIdType
+          { return hits[ray].primitive == noPrimitive ? 0 : 1; });
+        break;
+      case QueryKind::Any:
+        work([hit = this->any_.data()](std::size_t ray) -> vtkIdType { return hit[ray]; });
+        break;
+      case QueryKind::Count:
+      case QueryKind::Crossings:
+        work([counts = this->counts_.data()](std::size_t ray) -> vtkIdType { return counts[ray]; });
+        break;
+      case QueryKind::All:
+      case QueryKind::Ties:
+        work([offsets = this->all_.offsets.data()](std::size_t ray)
+          { return static_cast<vtkIdType>(offsets[ray + 1] - offsets[ray]); });
+        break;
+    }
+  }
+
+  /// The hits of that ray, nearest first, count(ray) of them. Only when givesHits().
   [[nodiscard]] const Hit* hits(std::size_t ray) const
   {
     return this->query_ == QueryKind::Closest ? &this->nearest_[ray]

@@ -14,7 +14,6 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -31,10 +30,8 @@ void makeVertices(vtkIdType count, int threads, vtkPolyData* hits)
 {
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(count);
-  vtkIdType* first = offsets->GetPointer(0);
-  vtkIdType* point = connectivity->GetPointer(0);
+  vtkIdType* first = makeRoom(offsets.Get(), count + 1);
+  vtkIdType* point = makeRoom(connectivity.Get(), count);
   parallelFor(static_cast<std::size_t>(count), chunk, threads, nullptr,
     [&](std::size_t begin, std::size_t end)
     {
@@ -75,86 +72,110 @@ HitLayout::HitLayout(const Cast& cast, int threads)
 {
   const std::size_t rays = cast.size();
   this->offsets->SetName("HitOffset");
-  this->offsets->SetNumberOfValues(static_cast<vtkIdType>(rays));
-  vtkIdType* offset = this->offsets->GetPointer(0);
+  vtkIdType* offset = makeRoom(this->offsets.Get(), static_cast<vtkIdType>(rays));
 
   // Count per chunk, sum the few chunks, fill: the places do not depend on who filled what when.
   std::vector<vtkIdType> firsts((rays + chunk - 1) / chunk);
-  parallelFor(rays, chunk, threads, nullptr,
-    [&](std::size_t begin, std::size_t end)
+  cast.withCounts(
+    [&](auto countOf)
     {
-      vtkIdType sum = 0;
-      for (std::size_t i = begin; i < end; ++i)
+      parallelFor(rays, chunk, threads, nullptr,
+        [&](std::size_t begin, std::size_t end)
+        {
+          vtkIdType sum = 0;
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            sum += countOf(i);
+          }
+          firsts[begin / chunk] = sum;
+        });
+      for (vtkIdType& first : firsts)
       {
-        sum += cast.count(i);
+        const vtkIdType count = first;
+        first = this->total;
+        this->total += count;
       }
-      firsts[begin / chunk] = sum;
-    });
-  for (vtkIdType& first : firsts)
-  {
-    const vtkIdType count = first;
-    first = this->total;
-    this->total += count;
-  }
-  parallelFor(rays, chunk, threads, nullptr,
-    [&](std::size_t begin, std::size_t end)
-    {
-      vtkIdType next = firsts[begin / chunk];
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        offset[i] = next;
-        next += cast.count(i);
-      }
+      parallelFor(rays, chunk, threads, nullptr,
+        [&](std::size_t begin, std::size_t end)
+        {
+          vtkIdType next = firsts[begin / chunk];
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            offset[i] = next;
+            next += countOf(i);
+          }
+        });
     });
 }
 
-void addRayArrays(const Cast& cast, const HitLayout* layout, const SurfaceInput& surface,
+HitTotals addRayArrays(const Cast& cast, const HitLayout* layout, const SurfaceInput& surface,
   const RayCounters* counters, int threads, vtkDataSetAttributes* data)
 {
   const std::size_t rays = cast.size();
   const auto tuples = static_cast<vtkIdType>(rays);
 
   unsigned char* mask = addArray<vtkUnsignedCharArray>(data, "HitMask", tuples);
-  vtkIdType* count = addArray<vtkIdTypeArray>(data, "HitCount", tuples);
-  parallelFor(rays, chunk, threads, nullptr,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        count[i] = cast.count(i);
-        mask[i] = count[i] > 0 ? 1 : 0;
-      }
-    });
-  if (cast.query() == QueryKind::Crossings)
-  {
-    unsigned char* inside = addArray<vtkUnsignedCharArray>(data, "Inside", tuples);
-    std::transform(count, count + tuples, inside,
-      [](vtkIdType passages) { return static_cast<unsigned char>(passages % 2); });
-  }
+  vtkIdType* counts = addArray<vtkIdTypeArray>(data, "HitCount", tuples);
+  unsigned char* inside = cast.query() == QueryKind::Crossings
+    ? addArray<vtkUnsignedCharArray>(data, "Inside", tuples)
+    : nullptr;
+  double* t = nullptr;
+  vtkIdType* cell = nullptr;
+  int* composite = nullptr;
   if (layout)
   {
     data->AddArray(layout->offsets);
-    double* t = addArray<vtkDoubleArray>(data, "T", tuples);
-    vtkIdType* cell = addArray<vtkIdTypeArray>(data, "CellId", tuples);
-    int* composite = addArray<vtkIntArray>(data, "CompositeIndex", tuples);
-    parallelFor(rays, chunk, threads, nullptr,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const bool hit = count[i] > 0;
-          const SourceCell source =
-            hit ? surface.surface->source(cast.hits(i)->primitive) : SourceCell{ -1, -1 };
-          t[i] = hit ? cast.hits(i)->t : std::numeric_limits<double>::infinity();
-          cell[i] = static_cast<vtkIdType>(source.cell);
-          composite[i] = static_cast<int>(source.composite);
-        }
-      });
+    t = addArray<vtkDoubleArray>(data, "T", tuples);
+    cell = addArray<vtkIdTypeArray>(data, "CellId", tuples);
+    composite = addArray<vtkIntArray>(data, "CompositeIndex", tuples);
   }
+
+  const auto fillFirst = [&](std::size_t i, bool hit)
+  {
+    const SourceCell source =
+      hit ? surface.surface->source(cast.hits(i)->primitive) : SourceCell{ -1, -1 };
+    t[i] = hit ? cast.hits(i)->t : std::numeric_limits<double>::infinity();
+    cell[i] = static_cast<vtkIdType>(source.cell);
+    composite[i] = static_cast<int>(source.composite);
+  };
+  std::vector<HitTotals> parts((rays + chunk - 1) / chunk);
+  cast.withCounts(
+    [&](auto countOf)
+    {
+      parallelFor(rays, chunk, threads, nullptr,
+        [&](std::size_t begin, std::size_t end)
+        {
+          HitTotals part;
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const vtkIdType count = countOf(i);
+            counts[i] = count;
+            mask[i] = count > 0 ? 1 : 0;
+            part.raysHit += mask[i];
+            part.hits += static_cast<std::uint64_t>(count);
+            if (inside)
+            {
+              inside[i] = static_cast<unsigned char>(count % 2);
+            }
+            if (t)
+            {
+              fillFirst(i, count > 0);
+            }
+          }
+          parts[begin / chunk] = part;
+        });
+    });
   if (counters)
   {
     addCounters(counters, tuples, threads, data);
   }
+  HitTotals totals;
+  for (const HitTotals& part : parts)
+  {
+    totals.raysHit += part.raysHit;
+    totals.hits += part.hits;
+  }
+  return totals;
 }
 
 void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
@@ -164,13 +185,21 @@ void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
   const vtkIdType total = layout.total;
   const vtkIdType* offset = layout.offsets->GetPointer(0);
 
+  double* doubles = nullptr;
+  float* floats = nullptr;
   vtkNew<vtkPoints> points;
-  points->SetDataType(options.doublePoints ? VTK_DOUBLE : VTK_FLOAT);
-  points->SetNumberOfPoints(total);
-  double* doubles =
-    options.doublePoints ? vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0) : nullptr;
-  float* floats =
-    options.doublePoints ? nullptr : vtkFloatArray::FastDownCast(points->GetData())->GetPointer(0);
+  if (options.doublePoints)
+  {
+    const vtkNew<vtkDoubleArray> xyz;
+    doubles = makeRoom(xyz.Get(), total, 3);
+    points->SetData(xyz);
+  }
+  else
+  {
+    const vtkNew<vtkFloatArray> xyz;
+    floats = makeRoom(xyz.Get(), total, 3);
+    points->SetData(xyz);
+  }
   hits->SetPoints(points);
   makeVertices(total, options.threads, hits);
 
@@ -211,19 +240,23 @@ void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
       }
     }
   };
-  parallelFor(cast.size(), chunk, options.threads, nullptr,
-    [&](std::size_t begin, std::size_t end)
+  cast.withCounts(
+    [&](auto countOf)
     {
-      for (std::size_t r = begin; r < end; ++r)
-      {
-        const vtkIdType count = cast.count(r);
-        for (vtkIdType h = 0; h < count; ++h)
+      parallelFor(cast.size(), chunk, options.threads, nullptr,
+        [&](std::size_t begin, std::size_t end)
         {
-          const vtkIdType i = offset[r] + h;
-          rayId[i] = static_cast<vtkIdType>(r);
-          place(rays[r], cast.hits(r)[h], i);
-        }
-      }
+          for (std::size_t r = begin; r < end; ++r)
+          {
+            const vtkIdType count = countOf(r);
+            for (vtkIdType h = 0; h < count; ++h)
+            {
+              const vtkIdType i = offset[r] + h;
+              rayId[i] = static_cast<vtkIdType>(r);
+              place(rays[r], cast.hits(r)[h], i);
+            }
+          }
+        });
     });
   data->SetActiveScalars("T");
   data->SetActiveNormals("Normals");

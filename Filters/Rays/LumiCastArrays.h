@@ -23,9 +23,16 @@ struct HitLayout
   HitLayout(const Cast& cast, int threads);
 };
 
+/// How many rays of a cast hit, and all hits together.
+struct HitTotals
+{
+  std::uint64_t raysHit = 0;
+  std::uint64_t hits = 0;
+};
+
 /// Adds the arrays of the output Rays (Docs/data-model.md). layout: null when the cast gives no
 /// hits; counters: one per ray, or null when nothing was counted.
-void addRayArrays(const Cast& cast, const HitLayout* layout, const SurfaceInput& surface,
+HitTotals addRayArrays(const Cast& cast, const HitLayout* layout, const SurfaceInput& surface,
   const RayCounters* counters, int threads, vtkDataSetAttributes* rays);
 
 struct HitOptions

@@ -86,27 +86,24 @@ void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& vi
   row.add("Choice", std::string_view(built.choice));
 }
 
-void makeCastTable(
-  const Accelerator& accelerator, const Cast& cast, Precision precision, vtkTable* table)
+void makeCastTable(const Accelerator& accelerator, const Cast& cast, Precision precision,
+  const HitTotals& totals, const CastSeconds& seconds, vtkTable* table)
 {
-  std::uint64_t raysHit = 0;
-  std::uint64_t hits = 0;
-  for (std::size_t i = 0; i < cast.size(); ++i)
-  {
-    const auto count = static_cast<std::uint64_t>(cast.count(i));
-    raysHit += count > 0 ? 1 : 0;
-    hits += count;
-  }
   Row row(table, true);
   row.add("Structure", name(accelerator.options().structure));
   row.add("Precision", name(precision));
   row.add("Query", name(cast.query()));
   row.add("Rays", std::uint64_t{ cast.size() });
   row.add("InvalidRays", cast.report().invalidRays);
-  row.add("RaysHit", raysHit);
-  row.add("Hits", hits);
+  row.add("RaysHit", totals.raysHit);
+  row.add("Hits", totals.hits);
   row.add("ExactTests", cast.report().exactTests);
   row.add("ExactParameters", cast.report().exactParameters);
+  row.add("SurfaceSeconds", seconds.surface);
+  row.add("BuildSeconds", seconds.build);
+  row.add("ReadSeconds", seconds.rays);
+  row.add("CastSeconds", seconds.cast);
+  row.add("OutputSeconds", seconds.output);
 }
 
 } // namespace lumitree::filters

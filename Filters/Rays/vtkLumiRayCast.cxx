@@ -11,6 +11,7 @@
 #include "LumiSettings.h"
 #include "LumiSourceSkips.h"
 #include "LumiStatisticsTable.h"
+#include "LumiStopwatch.h"
 #include "LumiSurfaceCost.h"
 #include "LumiSurfaceData.h"
 
@@ -42,10 +43,11 @@ struct vtkLumiRayCast::Internals
   std::shared_ptr<const filters::Tree> Tree; ///< kept so that the next execution finds it
 
   /// Casts the rays over the tree, adds to tests (one per primitive, or none) and fills the outputs
-  /// of hits, rays and statistics. Throws what the accelerator throws.
+  /// of hits, rays and statistics; seconds holds what went before. Throws what the accelerator
+  /// throws.
   static void Cast(vtkLumiRayCast* self, const filters::RayInput& rays, vtkDataSet* raysInput,
-    std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput,
-    vtkDataSet* raysOutput, vtkTable* statistics);
+    filters::CastSeconds seconds, std::vector<lumitree::PrimitiveCounters>& tests,
+    vtkPolyData* hitsOutput, vtkDataSet* raysOutput, vtkTable* statistics);
 
   /// Sets what the rays skip, when they are to skip their sources; false after one vtkErrorMacro.
   static bool SkipSources(vtkLumiRayCast* self, vtkDataSet* raysInput, filters::RayInput& rays,
@@ -125,13 +127,18 @@ int vtkLumiRayCast::RequestData(
   bool complete = false;
   try
   {
+    filters::CastSeconds seconds;
+    seconds.surface = this->Impl->Tree->surfaceSeconds;
+    seconds.build = this->Impl->Tree->buildSeconds;
+    filters::Stopwatch stopwatch;
     filters::RayInput rays;
     filters::SourceSkips skips;
     vtkDataObject* raysInput = vtkDataObject::GetData(inputs[1], 0);
     if (filters::readRays(this, raysInput, rays) &&
       Internals::SkipSources(this, vtkDataSet::SafeDownCast(raysInput), rays, skips))
     {
-      Internals::Cast(this, rays, vtkDataSet::SafeDownCast(raysInput), tests,
+      seconds.rays = stopwatch.lap();
+      Internals::Cast(this, rays, vtkDataSet::SafeDownCast(raysInput), seconds, tests,
         vtkPolyData::GetData(outputs, 0), vtkDataSet::GetData(outputs, 1),
         vtkTable::GetData(outputs, 3));
       complete = true;
@@ -169,9 +176,11 @@ bool vtkLumiRayCast::Internals::SkipSources(
 }
 
 void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInput& rays,
-  vtkDataSet* raysInput, std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput,
-  vtkDataSet* raysOutput, vtkTable* statistics)
+  vtkDataSet* raysInput, filters::CastSeconds seconds,
+  std::vector<lumitree::PrimitiveCounters>& tests, vtkPolyData* hitsOutput, vtkDataSet* raysOutput,
+  vtkTable* statistics)
 {
+  filters::Stopwatch stopwatch;
   const filters::Tree& tree = *self->Impl->Tree;
   const filters::Buffer<lumitree::RayCounters> counters(self->CountTraversal ? rays.batch.size : 0);
   filters::Job job(self, buildShare, 0.9);
@@ -181,6 +190,7 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
   options.roundedT = self->RoundedParameter && options.precision == lumitree::Precision::Exact;
   const filters::Cast cast(
     static_cast<lumitree::QueryKind>(self->GetQuery()), *tree.accelerator, rays.batch, options);
+  seconds.cast = stopwatch.lap();
   filters::warnOfInvalidRays(self, cast.report(), rays);
 
   // When the user stopped the cast, the rays that were not reached are misses. What follows is
@@ -192,9 +202,10 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
     MakeHits(self, rays, cast, *layout, hitsOutput);
   }
   vtkDataSetAttributes* data = filters::makeRaysOutput(raysInput, rays, raysOutput);
-  filters::addRayArrays(
+  const filters::HitTotals totals = filters::addRayArrays(
     cast, layout ? &*layout : nullptr, *tree.input, counters.data(), options.threads, data);
-  filters::makeCastTable(*tree.accelerator, cast, options.precision, statistics);
+  seconds.output = stopwatch.lap();
+  filters::makeCastTable(*tree.accelerator, cast, options.precision, totals, seconds, statistics);
 }
 
 void vtkLumiRayCast::Internals::MakeSurface(vtkLumiRayCast* self,

@@ -1,261 +1,219 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkLumiRayCast on one thread against vtkStaticCellLocator::IntersectWithLine, on the same rays:
-//   RayCastVersusLocator [surface.vtp [rays]]
-// Without a surface, a bumpy torus of 70,000 triangles; 300,000 rays of each kind. Both structures
-// are built before the clock starts. The filter's time is that of the whole Update, with all output
-// arrays; the locator's is that of its calls alone. Processor time, best of three.
+// vtkLumiRayCast end to end against a loop over vtkStaticCellLocator, one thread, the same rays:
+//   RayCastVersusLocator [--surface=FILE.obj] [rays [repeats [locator's rays]]]
+// By default a million rays, 5 repeats, and all rays for the locator, too, but in the third scene
+// (50,000 of them) and in the stadium (1,000). The filter's time is
+// that of a whole Update with all output arrays: of a new filter on a new surface, so with
+// conversion and build, and of the same filter once more, without. The locator's is that of its
+// build and of its calls. Processor time, medians; the locator's rays are cut into as many slices
+// as there are repeats, which take turns with the filter. Prints tables in Markdown: the race, and
+// where the filter's time goes.
 #include "vtkLumiRayCast.h"
 
-#include "Data/Scenes.h"
+#include "RaysLocator.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkGenericCell.h"
-#include "vtkIdList.h"
+#include "Accel/Accelerator.h"
+
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
-#include "vtkTriangleFilter.h"
-#include "vtkXMLPolyDataReader.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <tbb/global_control.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <random>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace
 {
 
-using Point = std::array<double, 3>;
-
-struct Rays
-{
-  const char* name;
-  std::vector<Point> origins;
-  std::vector<Point> ends; ///< beyond the surface
-};
-
-vtkSmartPointer<vtkPolyData> bumpyTorus()
-{
-  const lumitree::data::Mesh mesh = lumitree::data::torus(280, 125, 0.3);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  for (std::size_t i = 0; i < mesh.points.size(); i += 3)
-  {
-    points->InsertNextPoint(&mesh.points[i]);
-  }
-  vtkNew<vtkCellArray> quads;
-  for (std::size_t i = 0; i < mesh.connectivity.size(); i += 4)
-  {
-    const vtkIdType ids[4] = { mesh.connectivity[i], mesh.connectivity[i + 1],
-      mesh.connectivity[i + 2], mesh.connectivity[i + 3] };
-    quads->InsertNextCell(4, ids);
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(quads);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->Update();
-  return triangles->GetOutput();
-}
-
-/// Pixel by pixel from one eye, at twice the diagonal.
-Rays cameraRays(vtkPolyData* surface, int count)
-{
-  Rays rays{ "camera", {}, {} };
-  double centre[3];
-  surface->GetCenter(centre);
-  const double size = surface->GetLength();
-  const int width = static_cast<int>(std::sqrt(count));
-  const double forward[3] = { -0.48, -0.6, -0.64 };
-  const double right[3] = { 0.78086881, -0.62469505, 0 };
-  const double up[3] = { -0.39980483, -0.49975604, 0.76837406 };
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = (i % width + 0.5) / width - 0.5;
-    const double y = (i / width + 0.5) / (count / width) - 0.5;
-    Point eye;
-    Point end;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      eye[k] = centre[k] - 2 * size * forward[k];
-      end[k] = eye[k] + 4 * (size * forward[k] + 0.4 * size * (x * right[k] + y * up[k]));
-    }
-    rays.origins.push_back(eye);
-    rays.ends.push_back(end);
-  }
-  return rays;
-}
-
-/// Between random points of a sphere about the surface.
-Rays incoherentRays(vtkPolyData* surface, int count)
-{
-  Rays rays{ "incoherent", {}, {} };
-  double centre[3];
-  surface->GetCenter(centre);
-  const double radius = 0.5 * surface->GetLength();
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  const auto onSphere = [&]
-  {
-    const Point p = { normal(random), normal(random), normal(random) };
-    const double scale = radius / std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-    return Point{ centre[0] + scale * p[0], centre[1] + scale * p[1], centre[2] + scale * p[2] };
-  };
-  for (int i = 0; i < count; ++i)
-  {
-    rays.origins.push_back(onSphere());
-    rays.ends.push_back(onSphere());
-  }
-  return rays;
-}
-
-vtkSmartPointer<vtkPolyData> dataset(const Rays& rays)
-{
-  const auto count = static_cast<vtkIdType>(rays.origins.size());
-  vtkNew<vtkDoubleArray> origins;
-  vtkNew<vtkDoubleArray> directions;
-  vtkNew<vtkDoubleArray> limits;
-  limits->SetName("RayTMax");
-  directions->SetName("RayDirection");
-  origins->SetNumberOfComponents(3);
-  directions->SetNumberOfComponents(3);
-  origins->SetNumberOfTuples(count);
-  directions->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const Point& a = rays.origins[static_cast<std::size_t>(i)];
-    const Point& b = rays.ends[static_cast<std::size_t>(i)];
-    origins->SetTypedTuple(i, a.data());
-    const Point d = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-    directions->SetTypedTuple(i, d.data());
-    limits->InsertNextValue(1.0);
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(origins);
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  result->GetPointData()->AddArray(directions);
-  result->GetPointData()->AddArray(limits);
-  return result;
-}
+using namespace lumitree;
+using namespace lumitree::benchmarks;
 
 template <class Work>
-double bestOfThree(const Work& work)
+double timed(const Work& work)
 {
-  double best = 1e300;
-  for (int i = 0; i < 3; ++i)
-  {
-    const std::clock_t start = std::clock();
-    work();
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return best;
+  timespec start{};
+  timespec end{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &start);
+  work();
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
+  return static_cast<double>(end.tv_sec - start.tv_sec) +
+    1e-9 * static_cast<double>(end.tv_nsec - start.tv_nsec);
 }
 
-struct Measured
+double median(std::vector<double> values)
 {
-  double seconds = 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
+
+constexpr const char* phases[] = { "SurfaceSeconds", "BuildSeconds", "ReadSeconds", "CastSeconds",
+  "OutputSeconds" };
+
+struct Times
+{
+  std::vector<double> withBuild;
+  std::vector<double> without;
+  std::vector<double> phases[5]; ///< by the filter's own clock
   long long hits = 0;
 };
 
-/// Closest: the first hit of each ray (9 arguments). All: every hit (6 arguments).
-Measured locator(vtkStaticCellLocator* cells, const Rays& rays, bool all)
+/// The same surface as another object, whose tree nobody has.
+vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* surface)
 {
-  Measured measured;
-  vtkNew<vtkGenericCell> cell;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkIdList> ids;
-  measured.seconds = bestOfThree(
-    [&]
-    {
-      measured.hits = 0;
-      for (std::size_t i = 0; i < rays.origins.size(); ++i)
-      {
-        const double* a = rays.origins[i].data();
-        const double* b = rays.ends[i].data();
-        if (all)
-        {
-          cells->IntersectWithLine(a, b, 0.0, points, ids, cell);
-          measured.hits += ids->GetNumberOfIds();
-        }
-        else
-        {
-          double t;
-          double x[3];
-          double uv[3];
-          int sub;
-          vtkIdType id;
-          measured.hits += cells->IntersectWithLine(a, b, 0.0, t, x, uv, sub, id, cell) ? 1 : 0;
-        }
-      }
-    });
-  return measured;
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(surface);
+  return copy;
 }
 
-Measured filter(vtkPolyData* surface, const Rays& rays, bool all)
+void runFilter(vtkPolyData* surface, vtkPolyData* rays, Times& times)
 {
-  vtkNew<vtkLumiRayCast> cast;
-  cast->SetInputData(0, surface);
-  cast->SetRaysData(dataset(Rays{ "", { rays.origins[0] }, { rays.ends[0] } }));
-  cast->SetQuery(all ? vtkLumiRayCast::All : vtkLumiRayCast::Closest);
+  const vtkSmartPointer<vtkPolyData> unseen = copyOf(surface);
+  const vtkNew<vtkLumiRayCast> cast;
+  cast->SetInputDataObject(0, unseen);
+  cast->SetRaysData(rays);
   cast->SetNumberOfThreads(1);
-  cast->Update(); // builds the tree
-  cast->SetRaysData(dataset(rays));
-  Measured measured;
-  measured.seconds = bestOfThree(
-    [&]
-    {
-      cast->Modified();
-      cast->Update();
-    });
-  measured.hits = cast->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT);
-  return measured;
+  times.withBuild.push_back(timed([&] { cast->Update(); }));
+  vtkTable* statistics = vtkTable::SafeDownCast(cast->GetOutputDataObject(3));
+  for (std::size_t p = 0; p < 5; ++p)
+  {
+    times.phases[p].push_back(statistics->GetValueByName(0, phases[p]).ToDouble());
+  }
+  cast->Modified();
+  times.without.push_back(timed([&] { cast->Update(); }));
+  times.hits = cast->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT);
+}
+
+/// Prints a row of the table; returns that of the filter's phases.
+std::string race(const Scene& scene, const Rays& rays, int repeats, std::size_t locatorRays)
+{
+  const vtkSmartPointer<vtkPolyData> surface = surfaceData(scene);
+  const vtkSmartPointer<vtkPolyData> data = rayData(rays);
+  // A thousand times as slow where a scene is large and what is in it small: fewer are enough
+  // there.
+  const std::size_t bearable = scene.name == "stadium" ? 1000
+    : scene.triangles.size() > 1000000                 ? 50000
+                                                       : rays.size();
+  const std::size_t asked = std::min({ locatorRays, rays.size(), bearable });
+  const Rays theirRays = asked < rays.size() ? sampled(rays, asked) : rays;
+  const auto slices = static_cast<std::size_t>(repeats);
+  std::vector<Hit> hits(asked);
+  Times ours;
+  std::vector<double> locatorBuilds;
+  double calls = 0.0;
+  for (std::size_t r = 0; r < slices; ++r)
+  {
+    runFilter(surface, data, ours);
+    std::unique_ptr<RawLocator> locator;
+    locatorBuilds.push_back(timed([&] { locator = std::make_unique<RawLocator>(surface); }));
+    calls += timed([&]
+      { locator->closest(theirRays, r * asked / slices, (r + 1) * asked / slices, hits.data()); });
+  }
+  const double share = static_cast<double>(ours.hits) / static_cast<double>(rays.size());
+  const auto found = std::count_if(
+    hits.begin(), hits.end(), [](const Hit& hit) { return hit.primitive != noPrimitive; });
+  // The locator loses rays where walls lie in the bounds
+  // of the surface, so its hits are told.
+  const double foundShare =
+    asked == 0 ? 0.0 : static_cast<double>(found) / static_cast<double>(asked);
+  const double expected = scene.hitShares[rays.kind == "camera" ? 0 : 1];
+  if (expected > 0.0 ? std::fabs(share - expected) > 5e-3 : share < 0.05)
+  {
+    throw std::runtime_error(scene.name + ", " + rays.kind + ": " + std::to_string(share) +
+      " of the rays hit, not " + std::to_string(expected));
+  }
+  const double theirs =
+    calls * static_cast<double>(rays.size()) / static_cast<double>(std::max<std::size_t>(asked, 1));
+  const double theirBuild = median(locatorBuilds);
+  const double withBuild = median(ours.withBuild);
+  const double without = median(ours.without);
+  std::printf("| %s, %s | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f | %.0f | **%.0f** | **%.0f** |\n",
+    scene.name.c_str(), rays.kind.c_str(), 100.0 * share, 100.0 * foundShare, theirBuild, theirs,
+    withBuild - without, without, 1e9 * without / static_cast<double>(rays.size()),
+    (theirBuild + theirs) / withBuild, theirs / without);
+  std::fflush(stdout);
+  std::string row = "| " + scene.name + ", " + rays.kind + " |";
+  for (std::size_t p = 0; p < 5; ++p)
+  {
+    char cell[32];
+    std::snprintf(cell, sizeof cell, " %.1f |", 1e3 * median(ours.phases[p]));
+    row += cell;
+  }
+  return row + "\n";
+}
+
+/// Repeated over and over until there are so many.
+Rays repeated(Rays rays, std::size_t count)
+{
+  const std::size_t own = rays.origins.size();
+  rays.origins.resize(3 * count);
+  rays.directions.resize(3 * count);
+  for (std::size_t i = own; i < 3 * count; ++i)
+  {
+    rays.origins[i] = rays.origins[i - own];
+    rays.directions[i] = rays.directions[i - own];
+  }
+  return rays;
 }
 
 } // namespace
 
-int main(int argc, char* argv[])
+int main(int argc, char** argv)
 {
-  vtkSmartPointer<vtkPolyData> surface;
-  if (argc > 1)
+  try
   {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(argv[1]);
-    reader->Update();
-    surface = reader->GetOutput();
-  }
-  else
-  {
-    surface = bumpyTorus();
-  }
-  const int count = argc > 2 ? std::atoi(argv[2]) : 300000;
-
-  vtkNew<vtkStaticCellLocator> cells;
-  cells->SetDataSet(surface);
-  cells->BuildLocator();
-  std::printf("%lld cells, %d rays of each kind, one thread\n",
-    static_cast<long long>(surface->GetNumberOfCells()), count);
-  std::printf("%-11s %-8s %12s %12s %8s %12s %12s\n", "rays", "query", "locator [s]",
-    "Lumitree [s]", "ratio", "its hits", "our hits");
-  for (const Rays& rays : { cameraRays(surface, count), incoherentRays(surface, count) })
-  {
-    for (const bool all : { false, true })
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    std::string file;
+    if (!arguments.empty() && arguments.front().rfind("--surface=", 0) == 0)
     {
-      const Measured theirs = locator(cells, rays, all);
-      const Measured ours = filter(surface, rays, all);
-      std::printf("%-11s %-8s %12.4f %12.4f %8.1f %12lld %12lld\n", rays.name,
-        all ? "all" : "closest", theirs.seconds, ours.seconds, theirs.seconds / ours.seconds,
-        theirs.hits, ours.hits);
+      file = arguments.front().substr(10);
+      arguments.erase(arguments.begin());
     }
+    const auto number = [&](std::size_t i, double otherwise)
+    { return arguments.size() > i ? std::atof(arguments[i].c_str()) : otherwise; };
+    const auto count = static_cast<std::size_t>(number(0, 1e6));
+    const int repeats = std::max(1, static_cast<int>(number(1, 5)));
+    const auto locatorRays = static_cast<std::size_t>(number(2, static_cast<double>(count)));
+
+    const tbb::global_control serial(tbb::global_control::max_allowed_parallelism, 1);
+    std::printf("%zu rays, one thread, medians of %d\n\n"
+                "| scene, rays | hit [%%] | by the locator [%%] | its build [s] | its calls [s] | "
+                "filter: conversion "
+                "and build [s] | the rest [s] | of it [ns per ray] | times as fast, with builds | "
+                "without |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+      count, repeats);
+    std::string rows;
+    const int width = static_cast<int>(std::sqrt(static_cast<double>(count) * 4.0 / 3.0));
+    for (const Scene& scene : builtInScenes(file))
+    {
+      const auto surface = scene.surface();
+      const Rays camera = cameraRays(scene, width);
+      std::vector<Hit> seen(camera.size());
+      build(surface)->closest(camera.batch(), seen.data());
+      rows += race(scene, repeated(camera, count), repeats, locatorRays);
+      rows += race(scene, bounces(*surface, camera, seen, count), repeats, locatorRays);
+    }
+    std::printf("\nWhat the filter spends where [ms], by the clock\n\n"
+                "| scene, rays | conversion | build | reading rays | cast | outputs |\n"
+                "| --- | --- | --- | --- | --- | --- |\n%s",
+      rows.c_str());
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "RayCastVersusLocator: %s\n", error.what());
+    return 1;
   }
   return 0;
 }

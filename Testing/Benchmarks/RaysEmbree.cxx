@@ -16,6 +16,20 @@ namespace lumitree::benchmarks
 namespace
 {
 
+/// Rays of a stream.
+constexpr unsigned int streamSize = 256;
+
+/// Many rays, component by component.
+struct alignas(64) ComponentRays
+{
+  std::uint32_t words[12 * streamSize];
+};
+struct ComponentRayHits
+{
+  ComponentRays ray;
+  std::uint32_t hit[(7 + RTC_MAX_INSTANCE_LEVEL_COUNT) * streamSize];
+};
+
 /// The calls of Embree 3 and 4, by one name for every width.
 #if LUMITREE_EMBREE_MAJOR >= 4
 
@@ -33,9 +47,11 @@ struct Call
     this->nearest.feature_mask = this->any.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
   }
   void trace(const int*, RTCScene s, RTCRayHit& r) { rtcIntersect1(s, &r, &this->nearest); }
+  void trace(const int* v, RTCScene s, RTCRayHit4& r) { rtcIntersect4(v, s, &r, &this->nearest); }
   void trace(const int* v, RTCScene s, RTCRayHit8& r) { rtcIntersect8(v, s, &r, &this->nearest); }
   void trace(const int* v, RTCScene s, RTCRayHit16& r) { rtcIntersect16(v, s, &r, &this->nearest); }
   void trace(const int*, RTCScene s, RTCRay& r) { rtcOccluded1(s, &r, &this->any); }
+  void trace(const int* v, RTCScene s, RTCRay4& r) { rtcOccluded4(v, s, &r, &this->any); }
   void trace(const int* v, RTCScene s, RTCRay8& r) { rtcOccluded8(v, s, &r, &this->any); }
   void trace(const int* v, RTCScene s, RTCRay16& r) { rtcOccluded16(v, s, &r, &this->any); }
 };
@@ -53,14 +69,70 @@ struct Call
       coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   }
   void trace(const int*, RTCScene s, RTCRayHit& r) { rtcIntersect1(s, &this->context, &r); }
+  void trace(const int* v, RTCScene s, RTCRayHit4& r) { rtcIntersect4(v, s, &this->context, &r); }
   void trace(const int* v, RTCScene s, RTCRayHit8& r) { rtcIntersect8(v, s, &this->context, &r); }
   void trace(const int* v, RTCScene s, RTCRayHit16& r) { rtcIntersect16(v, s, &this->context, &r); }
   void trace(const int*, RTCScene s, RTCRay& r) { rtcOccluded1(s, &this->context, &r); }
+  void trace(const int* v, RTCScene s, RTCRay4& r) { rtcOccluded4(v, s, &this->context, &r); }
   void trace(const int* v, RTCScene s, RTCRay8& r) { rtcOccluded8(v, s, &this->context, &r); }
   void trace(const int* v, RTCScene s, RTCRay16& r) { rtcOccluded16(v, s, &this->context, &r); }
+
+  void stream(RTCScene s, RTCRayHit* r, unsigned int n)
+  {
+    rtcIntersect1M(s, &this->context, r, n, sizeof(RTCRayHit));
+  }
+  void stream(RTCScene s, RTCRay* r, unsigned int n)
+  {
+    rtcOccluded1M(s, &this->context, r, n, sizeof(RTCRay));
+  }
+  void stream(RTCScene s, ComponentRayHits* r, unsigned int)
+  {
+    rtcIntersectNM(
+      s, &this->context, reinterpret_cast<RTCRayHitN*>(r), streamSize, 1, sizeof(ComponentRayHits));
+  }
+  void stream(RTCScene s, ComponentRays* r, unsigned int)
+  {
+    rtcOccludedNM(
+      s, &this->context, reinterpret_cast<RTCRayN*>(r), streamSize, 1, sizeof(ComponentRays));
+  }
 };
 
 #endif
+
+/// n rays for one call of a packet interface.
+template <class Packet, unsigned int n>
+struct PacketBlock
+{
+  static constexpr unsigned int size = n;
+  static constexpr unsigned int lanes = n;
+  Packet packet;
+  alignas(64) int valid[n];
+
+  Packet* of(unsigned int) { return &this->packet; }
+  void trace(Call& call, RTCScene scene, unsigned int used)
+  {
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      this->valid[k] = k < used ? -1 : 0;
+    }
+    call.trace(this->valid, scene, this->packet);
+  }
+};
+
+/// Rays for one call of a stream interface: one after the other (lanes 1) or by components.
+template <class Packet, unsigned int n>
+struct StreamBlock
+{
+  static constexpr unsigned int size = streamSize;
+  static constexpr unsigned int lanes = n;
+  Packet rays[streamSize / n];
+
+  Packet* of(unsigned int k) { return this->rays + k / n; }
+  void trace(Call& call, RTCScene scene, unsigned int used)
+  {
+    call.stream(scene, this->rays, used);
+  }
+};
 
 /// Ray i of the batch into lane k of n.
 void load(const Rays& rays, std::size_t i, void* packet, unsigned int n, unsigned int k)
@@ -79,59 +151,86 @@ void load(const Rays& rays, std::size_t i, void* packet, unsigned int n, unsigne
   RTCRayN_flags(ray, n, k) = 0;
 }
 
-template <class Packet, unsigned int n>
-void closestOf(RTCScene scene, const Rays& rays, Hit* hits)
+/// Traces all rays a block at a time: begin(packet, lane) before, done(packet, lane, ray) after.
+template <class Block, class Begin, class Done>
+void traceAll(RTCScene scene, const Rays& rays, const EmbreeCall& how, Begin begin, Done done)
 {
-  Call call(rays.coherent);
-  Packet packet;
-  alignas(64) int valid[n];
-  auto* found = reinterpret_cast<RTCHitN*>(&packet.hit);
-  for (std::size_t i = 0; i < rays.size(); i += n)
+  Call call(how.coherent);
+  Block block;
+  const auto rayAt = [&](std::size_t i) { return how.order ? how.order[i] : i; };
+  for (std::size_t i = 0; i < rays.size(); i += Block::size)
   {
-    const auto used = static_cast<unsigned int>(std::min<std::size_t>(n, rays.size() - i));
-    for (unsigned int k = 0; k < n; ++k)
+    const auto used =
+      static_cast<unsigned int>(std::min<std::size_t>(Block::size, rays.size() - i));
+    // Lanes to spare repeat the last ray: some interfaces have no mask.
+    const unsigned int filled = (used + Block::lanes - 1) / Block::lanes * Block::lanes;
+    for (unsigned int k = 0; k < filled; ++k)
     {
-      valid[k] = k < used ? -1 : 0;
-      load(rays, i + std::min(k, used - 1), &packet.ray, n, k);
-      RTCHitN_geomID(found, n, k) = RTC_INVALID_GEOMETRY_ID;
+      load(rays, rayAt(i + std::min(k, used - 1)), block.of(k), Block::lanes, k % Block::lanes);
+      begin(block.of(k), k % Block::lanes);
     }
-    call.trace(valid, scene, packet);
+    block.trace(call, scene, used);
     for (unsigned int k = 0; k < used; ++k)
     {
-      Hit& hit = hits[i + k];
-      hit = Hit{};
-      if (RTCHitN_geomID(found, n, k) != RTC_INVALID_GEOMETRY_ID)
-      {
-        hit.primitive = RTCHitN_primID(found, n, k);
-        hit.t = RTCRayN_tfar(reinterpret_cast<RTCRayN*>(&packet.ray), n, k);
-        hit.u = RTCHitN_u(found, n, k);
-        hit.v = RTCHitN_v(found, n, k);
-      }
+      done(block.of(k), k % Block::lanes, rayAt(i + k));
     }
   }
 }
 
-template <class Packet, unsigned int n>
-void anyOf(RTCScene scene, const Rays& rays, std::uint8_t* hit)
+template <class Block>
+void closestBy(RTCScene scene, const Rays& rays, const EmbreeCall& how, Hit* hits)
 {
-  Call call(rays.coherent);
-  Packet packet;
-  alignas(64) int valid[n];
-  for (std::size_t i = 0; i < rays.size(); i += n)
-  {
-    const auto used = static_cast<unsigned int>(std::min<std::size_t>(n, rays.size() - i));
-    for (unsigned int k = 0; k < n; ++k)
+  traceAll<Block>(
+    scene, rays, how,
+    [](auto* packet, unsigned int k)
     {
-      valid[k] = k < used ? -1 : 0;
-      load(rays, i + std::min(k, used - 1), &packet, n, k);
-    }
-    call.trace(valid, scene, packet);
-    for (unsigned int k = 0; k < used; ++k)
+      RTCHitN_geomID(reinterpret_cast<RTCHitN*>(&packet->hit), Block::lanes, k) =
+        RTC_INVALID_GEOMETRY_ID;
+    },
+    [hits](auto* packet, unsigned int k, std::size_t i)
     {
-      hit[i + k] = RTCRayN_tfar(reinterpret_cast<RTCRayN*>(&packet), n, k) < 0.0f ? 1 : 0;
-    }
-  }
+      auto* found = reinterpret_cast<RTCHitN*>(&packet->hit);
+      Hit& hit = hits[i];
+      hit = Hit{};
+      if (RTCHitN_geomID(found, Block::lanes, k) != RTC_INVALID_GEOMETRY_ID)
+      {
+        hit.primitive = RTCHitN_primID(found, Block::lanes, k);
+        hit.t =
+          static_cast<double>(RTCRayN_tfar(reinterpret_cast<RTCRayN*>(packet), Block::lanes, k));
+        hit.u = static_cast<double>(RTCHitN_u(found, Block::lanes, k));
+        hit.v = static_cast<double>(RTCHitN_v(found, Block::lanes, k));
+      }
+    });
 }
+
+template <class Block>
+void anyBy(RTCScene scene, const Rays& rays, const EmbreeCall& how, std::uint8_t* hit)
+{
+  traceAll<Block>(
+    scene, rays, how, [](auto*, unsigned int) {},
+    [hit](auto* packet, unsigned int k, std::size_t i)
+    { hit[i] = RTCRayN_tfar(reinterpret_cast<RTCRayN*>(packet), Block::lanes, k) < 0.0f ? 1 : 0; });
+}
+
+/// An interface of Embree and what calls it.
+struct Interface
+{
+  const char* name;
+  void (*closest)(RTCScene, const Rays&, const EmbreeCall&, Hit*);
+  void (*any)(RTCScene, const Rays&, const EmbreeCall&, std::uint8_t*);
+};
+
+const Interface interfaces[] = {
+  { "1", closestBy<PacketBlock<RTCRayHit, 1>>, anyBy<PacketBlock<RTCRay, 1>> },
+  { "4", closestBy<PacketBlock<RTCRayHit4, 4>>, anyBy<PacketBlock<RTCRay4, 4>> },
+  { "8", closestBy<PacketBlock<RTCRayHit8, 8>>, anyBy<PacketBlock<RTCRay8, 8>> },
+  { "16", closestBy<PacketBlock<RTCRayHit16, 16>>, anyBy<PacketBlock<RTCRay16, 16>> },
+#if LUMITREE_EMBREE_MAJOR < 4
+  { "1M", closestBy<StreamBlock<RTCRayHit, 1>>, anyBy<StreamBlock<RTCRay, 1>> },
+  { "NM", closestBy<StreamBlock<ComponentRayHits, streamSize>>,
+    anyBy<StreamBlock<ComponentRays, streamSize>> },
+#endif
+};
 
 } // namespace
 
@@ -193,20 +292,24 @@ RawEmbree::~RawEmbree()
   rtcReleaseDevice(this->internals_->device);
 }
 
-void RawEmbree::closest(const Rays& rays, unsigned int packet, Hit* hits) const
+std::vector<std::string> RawEmbree::interfaces()
 {
-  const RTCScene scene = this->internals_->scene;
-  packet == 16    ? closestOf<RTCRayHit16, 16>(scene, rays, hits)
-    : packet == 8 ? closestOf<RTCRayHit8, 8>(scene, rays, hits)
-                  : closestOf<RTCRayHit, 1>(scene, rays, hits);
+  std::vector<std::string> names;
+  for (const Interface& one : benchmarks::interfaces)
+  {
+    names.emplace_back(one.name);
+  }
+  return names;
 }
 
-void RawEmbree::any(const Rays& rays, unsigned int packet, std::uint8_t* hit) const
+void RawEmbree::closest(const Rays& rays, const EmbreeCall& how, Hit* hits) const
 {
-  const RTCScene scene = this->internals_->scene;
-  packet == 16    ? anyOf<RTCRay16, 16>(scene, rays, hit)
-    : packet == 8 ? anyOf<RTCRay8, 8>(scene, rays, hit)
-                  : anyOf<RTCRay, 1>(scene, rays, hit);
+  benchmarks::interfaces[how.interface].closest(this->internals_->scene, rays, how, hits);
+}
+
+void RawEmbree::any(const Rays& rays, const EmbreeCall& how, std::uint8_t* hit) const
+{
+  benchmarks::interfaces[how.interface].any(this->internals_->scene, rays, how, hit);
 }
 
 std::size_t RawEmbree::memory() const

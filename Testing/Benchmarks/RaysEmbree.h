@@ -5,10 +5,21 @@
 
 #include "RaysScenes.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace lumitree::benchmarks
 {
+
+/// How Embree is asked.
+struct EmbreeCall
+{
+  std::size_t interface = 0;            ///< one of RawEmbree::interfaces()
+  bool coherent = false;                ///< its flag
+  const std::uint32_t* order = nullptr; ///< of the rays; null: as they come
+};
 
 /// Embree by its own interface, without ours around it: rays come from the same arrays, and hits go
 /// to the same.
@@ -20,11 +31,11 @@ public:
   RawEmbree(const RawEmbree&) = delete;
   RawEmbree& operator=(const RawEmbree&) = delete;
 
-  /// One by one, or in packets of 8 or 16.
-  ///@{
-  void closest(const Rays& rays, unsigned int packet, Hit* hits) const;
-  void any(const Rays& rays, unsigned int packet, std::uint8_t* hit) const;
-  ///@}
+  /// What rtcIntersect… and rtcOccluded… are followed by: 1, 4, 8, 16; of Embree 3 also 1M and NM.
+  [[nodiscard]] static std::vector<std::string> interfaces();
+
+  void closest(const Rays& rays, const EmbreeCall& how, Hit* hits) const;
+  void any(const Rays& rays, const EmbreeCall& how, std::uint8_t* hit) const;
 
   [[nodiscard]] std::size_t memory() const;
   [[nodiscard]] double commitSeconds()

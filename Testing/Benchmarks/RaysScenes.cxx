@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <random>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace lumitree::benchmarks
 {
@@ -42,7 +44,6 @@ class Uniform
 {
 public:
   double operator()() { return static_cast<double>(this->engine_()) / 4294967296.0; }
-  std::mt19937& engine() { return this->engine_; }
 
 private:
   std::mt19937 engine_{ 5 };
@@ -81,21 +82,76 @@ std::shared_ptr<const Surface> Scene::surface() const
   return std::make_shared<const Surface>(PointArray::from(this->points), this->triangles);
 }
 
-std::vector<Scene> builtInScenes()
+std::vector<Scene> builtInScenes(const std::string& surface)
 {
   std::vector<Scene> scenes;
-  scenes.push_back(fromMesh("torus", data::torus(280, 125, 0.3)));
-  scenes.back().eye = { 1.9, 2.4, 2.6 };
-  scenes.back().target = { 0.0, 0.0, 0.0 };
-  scenes.back().view = 0.42;
+  if (surface.empty())
+  {
+    scenes.push_back(fromMesh("torus", data::torus(280, 125, 0.3)));
+    scenes.back().eye = { 1.9, 2.4, 2.6 };
+    scenes.back().target = { 0.0, 0.0, 0.0 };
+    scenes.back().view = 0.42;
+    scenes.back().hitShares = { 0.585, 0.113 };
+  }
+  else
+  {
+    scenes.push_back(readObj(surface));
+  }
   scenes.push_back(fromMesh("city", data::city()));
   scenes.back().eye = { -300.0, -420.0, 160.0 };
   scenes.back().target = { 0.0, 0.0, 0.0 };
+  scenes.back().hitShares = { 0.696, 0.531 };
+  scenes.push_back(subdivided(subdivided(scenes.front())));
+  scenes.back().name = scenes.front().name + " x 16";
+  scenes.back().hitShares = { 0.0, 0.0 };
+  if (surface.empty())
+  {
+    scenes.back().hitShares = { 0.585, 0.124 };
+  }
   scenes.push_back(fromMesh("stadium", data::teapotInStadium()));
   scenes.back().eye = { 0.5, -0.7, 0.45 };
   scenes.back().target = { 0.0, 0.0, 0.05 };
   scenes.back().view = 0.3;
+  scenes.back().hitShares = { 1.0, 1.0 };
   return scenes;
+}
+
+Scene subdivided(const Scene& scene)
+{
+  Scene fine = scene;
+  fine.triangles.clear();
+  Uniform uniform;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b)
+  {
+    const auto [place, isNew] =
+      middles.insert({ std::minmax(a, b), static_cast<std::uint32_t>(fine.points.size() / 3) });
+    if (isNew)
+    {
+      Vec3 p[2];
+      for (int k = 0; k < 3; ++k)
+      {
+        p[0][k] = static_cast<double>(fine.points[3 * a + static_cast<std::uint32_t>(k)]);
+        p[1][k] = static_cast<double>(fine.points[3 * b + static_cast<std::uint32_t>(k)]);
+      }
+      const double jitter = 0.05 * length(p[1] - p[0]);
+      for (int k = 0; k < 3; ++k)
+      {
+        fine.points.push_back(
+          static_cast<float>(0.5 * (p[0][k] + p[1][k]) + jitter * (2.0 * uniform() - 1.0)));
+      }
+    }
+    return place->second;
+  };
+  for (const Triangle& t : scene.triangles)
+  {
+    const std::uint32_t m[3] = { middle(t[0], t[1]), middle(t[1], t[2]), middle(t[2], t[0]) };
+    fine.triangles.push_back({ t[0], m[0], m[2] });
+    fine.triangles.push_back({ m[0], t[1], m[1] });
+    fine.triangles.push_back({ m[2], m[1], t[2] });
+    fine.triangles.push_back({ m[0], m[1], m[2] });
+  }
+  return fine;
 }
 
 Scene readObj(const std::string& file)
@@ -163,33 +219,36 @@ RayBatch Rays::batch() const
 
 Rays cameraRays(const Scene& scene, int width)
 {
+  const int height = std::max(1, 3 * width / 4);
   Rays rays;
   rays.kind = "camera";
   rays.coherent = true;
   const Vec3 forward = unit(scene.target - scene.eye);
   const Vec3 right = unit(cross(forward, Vec3{ 0.0, 0.0, 1.0 }));
   const Vec3 up = cross(right, forward);
-  for (int y = 0; y < width; ++y)
+  for (int y = 0; y < height; ++y)
   {
     for (int x = 0; x < width; ++x)
     {
       const double a = scene.view * (2.0 * (x + 0.5) / width - 1.0);
-      const double b = scene.view * (2.0 * (y + 0.5) / width - 1.0);
+      const double b = scene.view * (height - 2.0 * (y + 0.5)) / width;
       rays.add(scene.eye, unit(forward + (a * right + b * up)));
     }
   }
   return rays;
 }
 
-Rays bounces(const Surface& surface, const Rays& camera, const std::vector<Hit>& hits)
+Rays bounces(
+  const Surface& surface, const Rays& camera, const std::vector<Hit>& hits, std::size_t count)
 {
   Uniform uniform;
-  std::vector<Place> from = places(surface, camera, hits);
-  std::shuffle(from.begin(), from.end(), uniform.engine());
+  const std::vector<Place> seen = places(surface, camera, hits);
   Rays rays;
   rays.kind = "incoherent";
-  for (const Place& place : from)
+  for (std::size_t i = 0; i < count && !seen.empty(); ++i)
   {
+    const Place& place =
+      seen[static_cast<std::size_t>(uniform() * static_cast<double>(seen.size()))];
     // A point on the unit ball about the normal's tip is distributed by the cosine.
     const double z = 2.0 * uniform() - 1.0;
     const double turn = 6.283185307179586 * uniform();
@@ -200,21 +259,23 @@ Rays bounces(const Surface& surface, const Rays& camera, const std::vector<Hit>&
   return rays;
 }
 
-Rays occlusion(
-  const Scene& scene, const Surface& surface, const Rays& camera, const std::vector<Hit>& hits)
+Rays sampled(const Rays& rays, std::size_t n)
 {
-  Uniform uniform;
-  const double distance = length(scene.eye - scene.target);
-  const Vec3 lamp = scene.eye + distance * Vec3{ 0.5, 0.1, 0.4 };
-  Rays rays;
+  Rays some = rays;
+  some.origins.clear();
+  some.directions.clear();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Ray ray = rays.batch()[i * rays.size() / n];
+    some.add(ray.origin, ray.direction);
+  }
+  return some;
+}
+
+Rays occlusion(Rays rays)
+{
   rays.kind = "occlusion";
   rays.any = true;
-  rays.tMax = 1.0f;
-  for (const Place& place : places(surface, camera, hits))
-  {
-    const Vec3 aside = 0.2 * distance * Vec3{ uniform() - 0.5, uniform() - 0.5, 0.0 };
-    rays.add(place.point, lamp + aside - place.point);
-  }
   return rays;
 }
 

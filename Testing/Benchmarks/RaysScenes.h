@@ -6,11 +6,12 @@
 #include "Accel/Surface.h"
 #include "Accel/Vec3.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
-/// What RaysVersusEmbree measures on: surfaces of float points, and rays of floats.
+/// What the benchmarks of rays measure on: surfaces of float points, and rays of floats.
 namespace lumitree::benchmarks
 {
 
@@ -22,13 +23,19 @@ struct Scene
   Vec3 eye;
   Vec3 target;
   double view = 0.5; ///< half the width of the picture at distance 1
+  /// Which part of the camera's rays and of the bounces hit the surface; 0 where it is not known.
+  std::array<double, 2> hitShares = { 0.0, 0.0 };
 
   [[nodiscard]] std::shared_ptr<const Surface> surface() const;
 };
 
-/// A bumpy torus as large as a scanned bunny (70,000 triangles), a city (408,000), a teapot in a
-/// stadium (102,000).
-[[nodiscard]] std::vector<Scene> builtInScenes();
+/// A bumpy torus as large as a scanned bunny (70,000 triangles), or what the Wavefront file holds;
+/// a city (408,000); the first one subdivided twice; a teapot in a stadium (102,000).
+[[nodiscard]] std::vector<Scene> builtInScenes(const std::string& surface = {});
+
+/// Each triangle in four, new points in the middle of edges and up to 5 % of their length beside it
+/// along each axis.
+[[nodiscard]] Scene subdivided(const Scene& scene);
 
 /// The vertices and faces of a Wavefront file, seen from outside. Throws std::runtime_error.
 [[nodiscard]] Scene readObj(const std::string& file);
@@ -47,17 +54,18 @@ struct Rays
   [[nodiscard]] RayBatch batch() const;
 };
 
-/// One ray per pixel of a square picture, row by row.
-[[nodiscard]] Rays cameraRays(const Scene& scene, int width);
+/// One ray per pixel of a picture of 4 : 3, row by row from above.
+[[nodiscard]] Rays cameraRays(const Scene& scene, int width = 640);
 
-/// From what the camera sees: a ray in a random direction (by the cosine) from each point, in
-/// random order; and one to a random point of a lamp above the eye, pixel by pixel.
-///@{
-[[nodiscard]] Rays bounces(
-  const Surface& surface, const Rays& camera, const std::vector<Hit>& hits);
-[[nodiscard]] Rays occlusion(
-  const Scene& scene, const Surface& surface, const Rays& camera, const std::vector<Hit>& hits);
-///@}
+/// From random points of what the camera sees in random directions (by the cosine).
+[[nodiscard]] Rays bounces(const Surface& surface, const Rays& camera, const std::vector<Hit>& hits,
+  std::size_t count = 300000);
+
+/// n of the rays, evenly spread among them.
+[[nodiscard]] Rays sampled(const Rays& rays, std::size_t n);
+
+/// The same rays, asked whether they hit anything.
+[[nodiscard]] Rays occlusion(Rays rays);
 
 } // namespace lumitree::benchmarks
 

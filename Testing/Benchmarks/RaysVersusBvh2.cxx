@@ -278,7 +278,7 @@ void measure(
   std::vector<std::vector<std::string>> cells(all.size());
   std::vector<std::string> heads;
   for (const Rays& rays :
-    { camera, bounces(*surface, camera, seen), occlusion(scene, *surface, camera, seen) })
+    { camera, bounces(*surface, camera, seen), occlusion(bounces(*surface, camera, seen)) })
   {
     if (rays.kind.find(kind) == std::string::npos)
     {

@@ -313,12 +313,19 @@ TEST_F(RayCast, StatisticsAreOneRow)
   EXPECT_EQ(shape(row, "ExactTests"), "id 1");
   EXPECT_LE(2 * value(row, "RaysHit", 0), value(row, "Hits", 0));
 
+  for (const char* part :
+    { "SurfaceSeconds", "BuildSeconds", "ReadSeconds", "CastSeconds", "OutputSeconds" })
+  {
+    EXPECT_EQ(shape(row, part), "double 1");
+    EXPECT_GE(value(row, part, 0), 0.0);
+  }
+
   // Of the other precisions it is ignored.
   this->cast_->SetPrecision(vtkLumiRayCast::Fast);
   Messages messages(this->cast_);
   this->run(vtkLumiRayCast::Closest);
   EXPECT_EQ(messages.errors, 0);
-  EXPECT_EQ(table->GetNumberOfColumns(), 9);
+  EXPECT_EQ(table->GetNumberOfColumns(), 14);
 }
 
 TEST_F(RayCast, LimitsAreClosedAndInUnitsOfTheDirection)
