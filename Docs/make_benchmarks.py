@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the benchmarks of rays and writes the tables of benchmarks.md and their pictures; `./lumitree bench` runs it.
 
-python3 Docs/make_benchmarks.py [--programs DIRECTORY] [--surface FILE.obj] [--out DIRECTORY] [--no-page] [PART...]
+python3 Docs/make_benchmarks.py [--programs DIRECTORY] [--surface FILE.obj] [--out DIRECTORY] [--no-page]
+                                [--quick] [PART...]
 
 Parts: rays, structures, filter, growth; all by default. Between the marks ``<!-- PART -->`` and ``<!-- end -->``
 the page is replaced, unless --no-page is given; tables and raw numbers also go to the output directory
@@ -57,19 +58,20 @@ class Bench:
         self.out = arguments.out
         self.surface = arguments.surface
         self.page = not arguments.no_page
+        self.quick = arguments.quick
 
-    def run(self, program: str, *flags: str) -> str:
-        surface = [f"--surface={self.surface}"] if self.surface else []
-        command = [str(self.programs / program), *surface, *flags]
+    def run(self, program: str, *flags: str, surface: bool = True) -> str:
+        file = [f"--surface={self.surface}"] if surface and self.surface else []
+        command = [str(self.programs / program), *file, *flags]
         return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
 
-    def google(self, part: str, pattern: str, repetitions: int) -> tuple[list[dict], dict]:
+    def google(self, part: str, pattern: str) -> tuple[list[dict], dict]:
         """What Rays measured, and its context."""
         file = self.out / f"{part}.json"
         self.run(
             "Rays",
             f"--benchmark_filter={pattern}",
-            f"--benchmark_repetitions={repetitions}",
+            f"--benchmark_repetitions={2 if self.quick else 5}",
             f"--benchmark_out={file}",
             "--benchmark_out_format=json",
         )
@@ -85,6 +87,9 @@ class Bench:
             marked = re.compile(rf"(<!-- {part} -->\n).*?(\n<!-- end -->)", re.DOTALL)
             page = marked.sub(lambda m: f"{m[1]}\n{text.strip()}\n{m[2]}", page)
             PAGE.write_text(page)
+
+    def warning(self) -> str:
+        return " **A quick run, beside other work: provisional.**" if self.quick else ""
 
     def draw(self, name: str, figure) -> None:
         places = [self.out / f"{name}.png"]
@@ -191,15 +196,15 @@ def rays_picture(bench: Bench, times: dict) -> None:
 
 
 def rays(bench: Bench) -> None:
-    runs, context = bench.google("rays", "-(" + "|".join(f"/{s} exact" for s in STRUCTURES) + ")", 5)
+    runs, context = bench.google("rays", "-(" + "|".join(f"/{s} exact" for s in STRUCTURES) + ")")
     times, shares = cells(runs)
     with (bench.out / "rays.csv").open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["scene", "rays", "contender", "ns per ray"])
         writer.writerows([*cell, name, f"{t:.2f}"] for cell, of in times.items() for name, t in of.items())
     facts = (
-        f"Machine: {processor()}, one thread, load {load()} at the end; Embree {context.get('embree', '')}; processor time, medians of 5 "
-        "repetitions in random order."
+        f"Machine: {processor()}, one thread, load {load()} at the end; Embree {context.get('embree', '')}; processor time, medians of "
+        f"{2 if bench.quick else 5} repetitions in random order.{bench.warning()}"
     )
     bench.write("rays", f"{facts}\n\n{rays_table(times, shares)}\n\n{build_table(runs, context)}\n")
     rays_picture(bench, times)
@@ -207,7 +212,7 @@ def rays(bench: Bench) -> None:
 
 def structures(bench: Bench) -> None:
     names = "|".join((*STRUCTURES, "wide_bvh"))
-    runs, _ = bench.google("structures", rf"^[^/x]*/.*/({names}) exact", 5)
+    runs, _ = bench.google("structures", rf"^[^/x]*/.*/({names}) exact")
     times, _ = cells(runs)
     order = ["wide_bvh", *STRUCTURES]
     rows = []
@@ -215,15 +220,69 @@ def structures(bench: Bench) -> None:
         wide = of["wide_bvh exact"]
         shown = [of.get(f"{s} exact", math.nan) for s in order]
         rows.append([f"{scene}, {kind}"] + ["–" if math.isnan(t) else f"{t:,.0f} ({t / wide:.1f} ×)" for t in shown])
-    bench.write("structures", table(["exact, [ns per ray]", *order], rows) + "\n")
+    facts = f"Machine: {processor()}, load {load()} at the end.{bench.warning()}\n\n"
+    bench.write("structures", facts + table(["exact, [ns per ray]", *order], rows) + "\n")
 
 
 def filter_cost(bench: Bench) -> None:
-    facts = f"Machine: {processor()}, load {load()} at the beginning.\n\n"
-    bench.write("filter", facts + bench.run("RayCastVersusLocator"))
+    facts = f"Machine: {processor()}, load {load()} at the beginning.{bench.warning()}\n\n"
+    flags = ("1000000", "2", "20000") if bench.quick else ()
+    bench.write("filter", facts + bench.run("RayCastVersusLocator", *flags))
 
 
-PARTS = {"rays": rays, "structures": structures, "filter": filter_cost}
+def exponent(points: list[tuple[float, float]]) -> float:
+    """The slope of log time over log n, by least squares."""
+    logs = [(math.log(n), math.log(t)) for n, t in points]
+    x, y = (sum(p[k] for p in logs) / len(logs) for k in (0, 1))
+    return sum((a - x) * (b - y) for a, b in logs) / sum((a - x) ** 2 for a, _ in logs)
+
+
+def growth(bench: Bench) -> None:
+    what = defaultdict(list)
+    lines = bench.run("Growth", *(("2e6", "1e7") if bench.quick else ()), surface=False).splitlines()
+    (bench.out / "growth.csv").write_text("\n".join(["what,n,seconds", *lines, ""]))
+    for line in lines:
+        name, n, seconds = line.split(",")
+        what[name].append((float(n), float(seconds)))
+
+    figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.2))
+    shown = (("build", 0, "build"), ("camera", 0, "a million camera rays"))
+    shown += (("incoherent", 0, "a million incoherent rays"), ("rays", 1, "incoherent rays"))
+    exponents = []
+    for name, axis, title in shown:
+        # Where n is small, time is that of what does not grow.
+        slope = exponent(what[name][len(what[name]) // 2 - 1 :])
+        exponents.append([title, "triangles" if axis == 0 else "rays", f"{slope:.2f}"])
+        n, seconds = zip(*what[name])
+        axes[axis].loglog(n, seconds, "o-", label=f"{title}: n^{slope:.2f}")
+    for axis, label in zip(axes, ("triangles", "rays")):
+        axis.set_xlabel(label)
+        axis.set_ylabel("s")
+        axis.grid(alpha=0.3)
+        axis.legend()
+    bench.draw("benchmarks-growth", figure)
+
+    triangles = [
+        [f"{n:,.0f}", f"{1e3 * t:,.1f}", f"{1e3 * camera:,.0f}", f"{1e3 * incoherent:,.0f}"]
+        for (n, t), (_, camera), (_, incoherent) in zip(what["build"], what["camera"], what["incoherent"])
+    ]
+    rays_rows = [[f"{n:,.0f}", f"{t:,.4g}", f"{1e9 * t / n:,.0f}"] for n, t in what["rays"]]
+    threads = [
+        [f"{n:.0f}", f"{1e3 * t:,.0f}", f"{what['threads build'][0][1] / t:.2f}", f"{1e3 * r:,.0f}"]
+        + [f"{what['threads rays'][0][1] / r:.2f}"]
+        for (n, t), (_, r) in zip(what["threads build"], what["threads rays"])
+    ]
+    parts = [
+        f"Machine: {processor()}, load {load()} at the end.{bench.warning()}",
+        table(["time of", "grows with", "exponent, upper half of the sizes"], exponents),
+        table(["triangles", "build [ms]", "camera rays [ns]", "incoherent rays [ns]"], triangles),
+        table(["rays, streamed", "[s]", "[ns per ray]"], rays_rows),
+        table(["threads", "build [ms]", "times as fast", "a million rays [ms]", "times as fast"], threads),
+    ]
+    bench.write("growth", "\n\n".join(parts) + "\n")
+
+
+PARTS = {"rays": rays, "structures": structures, "filter": filter_cost, "growth": growth}
 
 
 def main() -> None:
@@ -232,6 +291,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=HERE.parent / "out/bench")
     parser.add_argument("--surface", help="a Wavefront file")
     parser.add_argument("--no-page", action="store_true", help="leave benchmarks.md and its pictures as they are")
+    parser.add_argument("--quick", action="store_true", help="fewer repetitions, rays and triangles")
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
     arguments = parser.parse_args()
     unknown = set(arguments.parts) - set(PARTS)
