@@ -4,6 +4,7 @@
 
 #include "LumiArrays.h"
 #include "LumiGather.h"
+#include "LumiLeafCopies.h"
 
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
@@ -94,26 +95,9 @@ void sumOverRanks(std::vector<PrimitiveCounters>& counters, vtkMultiProcessContr
 
 void copySurface(vtkDataObject* input, vtkDataObject* output)
 {
-  auto* from = vtkCompositeDataSet::SafeDownCast(input);
-  if (!input)
+  if (input) // else a rank without data
   {
-    return; // a rank without data
-  }
-  if (!from)
-  {
-    output->ShallowCopy(input);
-    return;
-  }
-  auto* to = vtkCompositeDataSet::SafeDownCast(output);
-  to->CopyStructure(from);
-  to->GetFieldData()->PassData(from->GetFieldData());
-  const auto iterator = vtk::TakeSmartPointer(from->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    vtkDataObject* object = iterator->GetCurrentDataObject();
-    const auto copy = vtk::TakeSmartPointer(object->NewInstance());
-    copy->ShallowCopy(object);
-    to->SetDataSet(iterator, copy);
+    copyLeaves(input, output);
   }
 }
 

@@ -3,6 +3,8 @@
 #ifndef LumiLeafCopies_h
 #define LumiLeafCopies_h
 
+#include "LumitreeFiltersCommonModule.h"
+
 #include "vtkDataSet.h"
 #include "vtkLumiABI.h"
 #include "vtkSmartPointer.h"
@@ -22,7 +24,8 @@ struct LeafCopy
 
 /// Copies a dataset or a composite to an output of the same type, all but its values, and lists the
 /// datasets. Tables inside a composite are copied and not listed.
-[[nodiscard]] std::vector<LeafCopy> copyLeaves(vtkDataObject* input, vtkDataObject* output);
+LUMITREEFILTERSCOMMON_EXPORT std::vector<LeafCopy> copyLeaves(
+  vtkDataObject* input, vtkDataObject* output);
 
 } // namespace lumitree::filters
 #endif
