@@ -191,6 +191,40 @@ inline Rays raysFromInside(const ClosedScene& c, Aim aim, std::size_t count, uns
   return all;
 }
 
+/// From one point inside, side by side as a camera's are: at the triangles one after the other.
+inline Rays raysFromOnePoint(const ClosedScene& c, Aim aim, std::size_t count, unsigned seed)
+{
+  Uniform uniform(seed);
+  const Vec3 o = inside(c, uniform);
+  const std::size_t first = uniform.index(c.surface->size());
+  Rays all;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto corners =
+      c.surface->vertices(static_cast<PrimitiveId>((first + i) % c.surface->size()));
+    Vec3 d = corners[i % 3] - o;
+    if (aim == Aim::Edge)
+    {
+      d = d + (corners[(i + 1) % 3] - o);
+    }
+    else if (aim == Aim::NormalisedVertex)
+    {
+      d = (1 / length(d)) * d;
+      for (double& x : d)
+      {
+        x = asFloat(x);
+      }
+    }
+    else if (aim == Aim::Random)
+    {
+      d = uniform(0, 1) * d + uniform(0, 1) * (corners[(i + 1) % 3] - o) +
+        uniform(0, 1) * (corners[(i + 2) % 3] - o);
+    }
+    all.add(o, d);
+  }
+  return all;
+}
+
 inline Rays raysFromAfar(
   const ClosedScene& c, Aim aim, double sizes, std::size_t count, unsigned seed = 43)
 {

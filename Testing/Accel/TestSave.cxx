@@ -201,6 +201,39 @@ TEST(Save, NoByteCanMakeAWrongAnswer)
   }
 }
 
+/// Of two numbers side by side the second stands twice: so a child may get two parents, and another
+/// none.
+TEST(Save, NoNumberInPlaceOfItsNeighbourMakesAWrongAnswer)
+{
+  const auto surface = surfaceOf<float>(data::cornellBox());
+  const Rays rays = raysAround(*surface, 20, 5);
+  const auto oracle = build(surface, optionsOf(Structure::BruteForce));
+  const Answers wanted = ask(*oracle, rays.batch(), with(Precision::Exact));
+  for (const Structure structure : { Structure::Bvh, Structure::WideBvh, Structure::KdTree,
+         Structure::Octree, Structure::BspTree })
+  {
+    SCOPED_TRACE(name(structure));
+    const std::string body = bodyOf(saved(*build(surface, optionsOf(structure))));
+    for (std::size_t i = 0; i + 8 <= body.size(); ++i)
+    {
+      std::string changed = body;
+      std::copy_n(body.begin() + static_cast<std::ptrdiff_t>(i) + 4, 4,
+        changed.begin() + static_cast<std::ptrdiff_t>(i));
+      try
+      {
+        const auto again = loaded(sealed(changed), surface);
+        ASSERT_NO_FATAL_FAILURE(
+          expectSameHits(ask(*again, rays.batch(), with(Precision::Exact)), wanted))
+          << "byte " << i;
+      }
+      catch (const SaveError&)
+      {
+        continue;
+      }
+    }
+  }
+}
+
 TEST(Save, SaysWhatIsWrong)
 {
   const auto surface = surfaceOf<float>(data::teapot(2));

@@ -85,6 +85,7 @@ std::vector<Scene> makeScenes()
       for (const Aim aim : everyAim)
       {
         append(scene.rays, raysFromInside(closed, aim, 8));
+        append(scene.rays, raysFromOnePoint(closed, aim, 32, 3));
         append(scene.rays, raysFromAfar(closed, aim, 1e6, 2));
       }
       scenes.push_back(std::move(scene));

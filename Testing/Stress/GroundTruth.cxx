@@ -334,11 +334,11 @@ void printHeader()
 }
 
 /// The rays of one place: rows for each aim, from inside and from afar.
-std::vector<Tally> compareAt(
-  const Place& place, int detail, std::size_t fromInside, std::size_t fromAfar, unsigned& seed)
+std::vector<Tally> compareAt(const Place& place, int detail, std::size_t fromInside,
+  std::size_t fromOnePoint, std::size_t fromAfar, unsigned& seed)
 {
   std::vector<Tally> rows;
-  rows.reserve(2 * everyAim.size());
+  rows.reserve(3 * everyAim.size());
   for (const bool torus : { false, true })
   {
     const Subject s = subject(torus, place, detail);
@@ -352,6 +352,14 @@ std::vector<Tally> compareAt(
       compare(
         s, { *s.wide, fromInside }, fromInside, seed,
         [&](std::size_t n, unsigned from) { return raysFromInside(s.scene, aim, n, from); }, near);
+      seed += 100000;
+      Tally& together = row(rows, kind + ", from one point");
+      together.inside = true;
+      together.fastMayLeak = near.fastMayLeak;
+      compare(
+        s, { *s.wide, fromOnePoint }, fromOnePoint, seed,
+        [&](std::size_t n, unsigned from) { return raysFromOnePoint(s.scene, aim, n, from); },
+        together);
       seed += 100000;
       for (const double distance : { 1e4, 1e6, 1e8 })
       {
@@ -373,9 +381,11 @@ std::vector<Tally> compareAt(
 
 bool run(double millions, int detail, unsigned seed, std::size_t firstPlace)
 {
-  // Two thirds from inside, one third from afar, over shapes, places and aims.
+  // Two thirds from inside, a quarter of these from a point that many share, and one third from
+  // afar, over shapes, places and aims.
   const double cells = 2.0 * static_cast<double>(closedPlaces().size() * everyAim.size());
-  const auto fromInside = static_cast<std::size_t>(millions * 1e6 * 2 / 3 / cells);
+  const auto fromInside = static_cast<std::size_t>(millions * 1e6 / 2 / cells);
+  const auto fromOnePoint = static_cast<std::size_t>(millions * 1e6 / 6 / cells);
   const auto fromAfar = static_cast<std::size_t>(millions * 1e6 / 3 / cells / 3);
   printHeader();
   Tally sum;
@@ -383,7 +393,8 @@ bool run(double millions, int detail, unsigned seed, std::size_t firstPlace)
   bool kept = true;
   for (std::size_t place = firstPlace; place < closedPlaces().size(); ++place)
   {
-    for (const Tally& t : compareAt(closedPlaces()[place], detail, fromInside, fromAfar, seed))
+    for (const Tally& t :
+      compareAt(closedPlaces()[place], detail, fromInside, fromOnePoint, fromAfar, seed))
     {
       print(t);
       sum.add(t);

@@ -29,6 +29,9 @@ RAY_BOX = "Accel/Kernel/RayBox.h"
 WIDE_RAY = "Accel/Structures/WideRay-inl.h"
 BVH_FRAME = "Accel/Structures/BvhFrame.h"
 WIDE_WALK = "Accel/Structures/WideBvhWalk.cxx"
+WIDE_STEP = "Accel/Structures/WideStep-inl.h"
+BUNDLE = "Accel/Structures/WideBvhBundle.cxx"
+BUNDLE_LEAF = "Accel/Kernel/BundleLeaf-inl.h"
 FILTER = "Accel/Kernel/BlockFilter-inl.h"
 EDGES = "Accel/Kernel/EdgeFilter.h"
 CROSSING = "Accel/Kernel/Crossing.h"
@@ -39,8 +42,17 @@ FORMULAS = "Accel/Exact/Formulas.h"
 PREDICATES = "Accel/Exact/Predicates.cxx"
 LATTICE = "Accel/Exact/Lattice.h"
 FIXED = "Accel/Exact/FixedInteger.h"
-KD_WALK = "Accel/Structures/KdTreeWalk.h"
+PLANE_WALK = "Accel/Structures/PlaneWalk.h"
 BSP_WALK = "Accel/Structures/BspWalk.h"
+
+ONE_BOX = (
+    "const double tFar = (plane(box, this->far_[k]) - this->origin_[k]) * this->reciprocal_[k];\n"
+    "      enter = tNear > enter ? tNear : enter;\n      "
+)
+TWO_BOXES = (
+    "const Double2 tFar = (farPlane - this->origin_[k]) * this->reciprocal_[k];\n"
+    "      enter = tNear > enter ? tNear : enter;\n      "
+)
 
 BOXES = [
     mutant("No pad in the boxes' slab test in double", "Queries Boxes",
@@ -52,9 +64,14 @@ BOXES = [
     mutant("< for <= where a box is met at the end of the segment", "Boxes Stress",
            RAY_BOX, "return tEnter <= tExit && tEnter <= tStop;", "return tEnter <= tExit && tEnter < tStop;"),
     mutant("A NaN slab rules the box out", "Boxes Cells",
-           RAY_BOX, "exit = tFar < exit ? tFar : exit;", "exit = exit < tFar ? exit : tFar;"),
-    mutant("A NaN slab forgets the other slabs' entry", "Cells",
-           RAY_BOX, "enter = tNear > enter ? tNear : enter;", "enter = enter > tNear ? enter : tNear;"),
+           RAY_BOX, ONE_BOX + "exit = tFar < exit ? tFar : exit;", ONE_BOX + "exit = exit < tFar ? exit : tFar;"),
+    mutant("A NaN slab rules the box out, of two boxes at once", "Boxes Cells Stress",
+           RAY_BOX, TWO_BOXES + "exit = tFar < exit ? tFar : exit;", TWO_BOXES + "exit = exit < tFar ? exit : tFar;"),
+    mutant("< for <= where one of two boxes is met at the end of the segment", "Boxes Stress",
+           RAY_BOX, "(enter <= exit) & (enter <= tStop)", "(enter <= exit) & (enter < tStop)"),
+    mutant("Two boxes at once are met without a pad", "Boxes Stress",
+           RAY_BOX, "magnitude(enter) * relativePad + absolutePad", "0.0 * magnitude(enter)",
+           RAY_BOX, "magnitude(exit) * relativePad + absolutePad", "0.0 * magnitude(exit)"),
     mutant("-0 is taken for a positive direction", "Boxes",
            RAY_BOX, "std::signbit(d)", "d < 0.0"),
     mutant("A reciprocal that overflows constrains", "Boxes",
@@ -62,8 +79,7 @@ BOXES = [
     mutant("A plane's t that overflows rules the box out", "Boxes Stress",
            RAY_BOX, "if (this->passesBeside(box))", "if (true)"),
     mutant("< for <= where what waits begins at the best hit, in four structures", "Stress",
-           KD_WALK, "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
-           BSP_WALK, "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
+           PLANE_WALK, "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
            "Accel/Structures/Bvh.cxx", "while (current.tEnter > tStop);", "while (current.tEnter >= tStop);",
            "Accel/Structures/Octree.cxx", "if (current.tEnter > tStop)", "if (current.tEnter >= tStop)"),
 ]  # fmt: skip
@@ -86,19 +102,19 @@ WIDE_BVH = [
            WIDE_RAY, "std::fill_n(this->originNear, 3, 0x1p100f);", "std::fill_n(this->originNear, 3, -0x1p100f);",
            WIDE_RAY, "std::fill_n(this->originFar, 3, -0x1p100f);", "std::fill_n(this->originFar, 3, 0x1p100f);"),
     mutant("Near and far planes exchanged for one sign", "Triangles",
-           WIDE_WALK, "wideArity * (negative ? k + 3 : k)", "wideArity * k"),
+           WIDE_STEP, "wideArity * (negative ? k + 3 : k)", "wideArity * k"),
     mutant("Boxes behind half of the way to the best hit are passed over", "Stress",
            WIDE_WALK, "this->stack.enter[this->stack.height] <= this->stop",
            "this->stack.enter[this->stack.height] <= 0.5f * this->stop"),
     mutant("Children are pushed in another order than their entries", "Stress",
-           WIDE_WALK, "compress(ordered(hn::LoadU(du, node.child)), waiting, bits)",
+           WIDE_STEP, "compress(ordered(hn::LoadU(du, node.child)), waiting, bits)",
            "compress(hn::LoadU(du, node.child), waiting, bits)"),
     mutant("AVX2's table of lanes leaves out the last lane", "Numbers",
-           WIDE_WALK, "lane < 8; ++lane", "lane < 7; ++lane"),
+           WIDE_STEP, "lane < 8; ++lane", "lane < 7; ++lane"),
     mutant("Lane by lane, the mask is read at the place and not at the lane", "Numbers",
-           WIDE_WALK, "(met >> lane & 1u)", "(met >> i & 1u)"),
+           WIDE_STEP, "(met >> lane & 1u)", "(met >> i & 1u)"),
     mutant("When all eight children are met none is pushed", "Stress",
-           WIDE_WALK, "static_cast<int>(hwy::PopCount(bits))", "static_cast<int>(hwy::PopCount(bits) & 7)"),
+           WIDE_STEP, "static_cast<int>(hwy::PopCount(bits))", "static_cast<int>(hwy::PopCount(bits) & 7)"),
     mutant("An octant's order names half of the lanes twice", "Stress",
            "Accel/Structures/WideBvhOrder.cxx",
            "this->visit(rightIsNear ? split.right : split.left, octant, order, at);",
@@ -109,6 +125,26 @@ WIDE_BVH = [
            WIDE_WALK, "traveller.await(*traveller.state);\n        ++i;", "++i;"),
     mutant("Interleaved rays share one state", "Stress AgainstBruteForce",
            WIDE_WALK, "travellers[i].await(states[i]);", "travellers[i].await(states[0]);"),
+]  # fmt: skip
+
+BUNDLES = [
+    mutant("Bundles: far planes by the fastest ray, not by the slowest", "Queries",
+           BUNDLE, "sign / smallest * (1.0f + WideRay::slabPad)", "sign / largest * (1.0f + WideRay::slabPad)"),
+    mutant("Bundles: rays of two octants go together", "Queries",
+           BUNDLE, "smallest > (k == bundle.axis ? 0.25f : 0x1p-100f)", "smallest > -8.0f"),
+    mutant("Bundles: a better hit stops its ray half of the way", "Queries",
+           BUNDLE, "this->hull.above(bundle.high[i])", "0.5f * this->hull.above(bundle.high[i])"),
+    mutant("Bundles: edge functions have no error", "Queries",
+           BUNDLE_LEAF, "c.error = Double8::all(seen.bound[triangle])", "c.error = Double8::all(0.0)"),
+    mutant("Bundles: the nearer of two hits whose intervals overlap is not settled", "Queries",
+           BUNDLE_LEAF, "const auto nearer = high < ofRays(bundle.low);", "const auto nearer = t < ofRays(bundle.high);"),
+    mutant("Bundles: limits are compared with the computed t", "Queries",
+           BUNDLE_LEAF, "(ofRays(bundle.tMin) < low) & (high < ofRays(bundle.tMax))",
+           "(ofRays(bundle.tMin) < t) & (t < ofRays(bundle.tMax))"),
+    mutant("Bundles: a vague t is taken as it is", "Queries",
+           BUNDLE_LEAF, "(high - low) < absolute(t) * Double8::all(0x1p-27)", "(high - low) < absolute(t)"),
+    mutant("Bundles: Fast does not ask where the ray enters the triangle's box", "Queries",
+           BUNDLE_LEAF, ": isKey(bundle, corners, c.first, t);", ": t <= t;"),
 ]  # fmt: skip
 
 LEAF = [
@@ -247,13 +283,14 @@ NUMBERS = [
 ]  # fmt: skip
 
 STRUCTURES = [
-    mutant("The first leaf with a hit ends the walk of a KD-tree", "KdTree",
-           KD_WALK, "tStop = visitor.leaf({ node.first, node.count, current.tEnter });",
+    mutant("The first leaf with a hit ends the walk of KD- and BSP-trees", "KdTree",
+           PLANE_WALK, "tStop = visitor.leaf({ node.first, node.count, current.tEnter });",
            "const double before = tStop;\n"
            "tStop = visitor.leaf({ node.first, node.count, current.tEnter });\n"
            "if (tStop < before)\n{\nreturn;\n}"),
     mutant("A ray in a split plane visits one side", "KdTree",
-           KD_WALK, "tHigh < current.tExit ? tHigh : current.tExit", "current.tExit < tHigh ? current.tExit : tHigh"),
+           PLANE_WALK, "crossing.high < current.tExit ? crossing.high : current.tExit",
+           "current.tExit < crossing.high ? current.tExit : crossing.high"),
     mutant("Clipped triangles are not rounded outward", "KdTree",
            "Accel/Structures/KdTreeClip.cxx", "most * 0x1p-49 + 0x1p-1060", "0.0"),
     mutant("A triangle that reaches across a plane is held on one side", "KdTree Cells",
@@ -274,11 +311,6 @@ STRUCTURES = [
            "const double before = tStop;\n"
            "tStop = visitor.leaf({ this->firstBlock_[current.node], node.count, current.tEnter });\n"
            "if (tStop < before)\n{\nreturn;\n}\ncontinue;"),
-    mutant("The first leaf with a hit ends the walk of a BSP-tree", "Cells Stress",
-           BSP_WALK, "tStop = visitor.leaf({ node.first, node.count, current.tEnter });",
-           "const double before = tStop;\n"
-           "tStop = visitor.leaf({ node.first, node.count, current.tEnter });\n"
-           "if (tStop < before)\n{\nreturn;\n}"),
     mutant("The BSP-tree's planes are crossed without a pad", "Cells Stress",
            BSP_WALK, "this->low = t - pad;\n      this->high = t + pad;", "this->low = t;\n      this->high = t;"),
     mutant("A ray beside a plane of a BSP-tree visits the far side", "Cells Stress",
@@ -324,4 +356,4 @@ SAVED = [
            "i < firsts[leaf] + 1; ++i)\n        {\n          box.extend"),
 ]  # fmt: skip
 
-MUTANTS = NUMBERS + WIDE_BVH + STRUCTURES + PASSAGES + BOXES + DECISIONS + SAVED + QUADRICS + LEAF
+MUTANTS = NUMBERS + WIDE_BVH + BUNDLES + STRUCTURES + PASSAGES + BOXES + DECISIONS + SAVED + QUADRICS + LEAF
