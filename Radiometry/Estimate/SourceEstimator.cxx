@@ -103,7 +103,9 @@ Estimate SourceEstimatorBase::sampleAll(const View& view, const Estimate& full, 
 std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
 {
   constexpr double measuredAt = 0.01;
-  const double relative = std::max(this->options.relativeTolerance, absolute / unoccluded);
+  // An absolute tolerance asks for as few rays as one four times as wide that is relative, since
+  // what is nearly dark needs no more of them.
+  const double relative = std::max(this->options.relativeTolerance, 4.0 * absolute / unoccluded);
   return static_cast<std::size_t>(
     std::min(1.0, measuredAt / std::max(relative, 1e-6)) * this->options.mostClipped);
 }

@@ -52,9 +52,8 @@ struct EstimateScene
   const ShadowRays* shadowRays; ///< null where occluders is
   std::size_t triangles;        ///< primitives from there on are not triangles
 
-  /// How many occluders are worth being cut out.
-  /// absolute: the tolerance beside the relative one, of a light that is `unoccluded` with nothing
-  /// in the way.
+  /// How many occluders are worth being cut out. absolute: the tolerance beside the relative one,
+  /// of a light that is `unoccluded` with nothing in the way.
   [[nodiscard]] std::size_t mostClipped(double absolute, double unoccluded) const;
 
   [[nodiscard]] RaySamplerOptions sampling(double absoluteTolerance) const;
