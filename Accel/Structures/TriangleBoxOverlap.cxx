@@ -14,10 +14,12 @@ namespace
 /// three more: errors stay below ten of them, relative to the magnitudes added up.
 constexpr double relativeError = 0x1p-49;
 /// What underflow can take from a scaled edge or a normal, with much to spare; the error of a
-/// product with a coordinate then is relativeError * tiny * coordinate.
-constexpr double tiny = 0x1p-1000;
-/// What underflow can take from the last products.
-constexpr double smallest = 0x1p-1070;
+/// product with a coordinate then is relativeError * tiny * coordinate. So large that this is no
+/// subnormal number, which processors are slow to calculate: edges along an axis have components
+/// of 0.
+constexpr double tiny = 0x1p-900;
+/// What underflow can take from the last products, and more; no subnormal number either.
+constexpr double smallest = 0x1p-1020;
 
 } // namespace
 

@@ -52,6 +52,7 @@ std::vector<BuildOptions> structures()
   all.push_back(optionsOf(Structure::Grid));
   all.push_back(optionsOf(Structure::Grid));
   all.back().gridResolution = { 7, 1, 30 };
+  all.push_back(optionsOf(Structure::BspTree));
   all.push_back(optionsOf(Structure::Octree));
   all.push_back(optionsOf(Structure::Octree));
   all.back().leafSize = 1;
