@@ -50,6 +50,14 @@ struct Cost
   }
 };
 
+/// What a contender's name must have in it to be built.
+std::string only;
+
+bool isWanted(const std::string& title)
+{
+  return title.find(only) != std::string::npos;
+}
+
 struct Contender
 {
   std::string name;
@@ -156,6 +164,10 @@ template <class T, bool robust>
 void addTheirs(std::vector<Contender>& all, const Scene& scene, const std::string& title,
   const typename Bvh2<T>::Config& config)
 {
+  if (!isWanted(title))
+  {
+    return;
+  }
   Contender c;
   const double start = processorTime();
   const auto tree = std::make_shared<const Bvh2<T>>(scene, config);
@@ -179,10 +191,14 @@ void addOurs(std::vector<Contender>& all, const std::shared_ptr<const Surface>& 
   const BuildOptions& options, const std::string& title, Precision precision)
 {
   Contender c;
+  c.name = title + ", " + std::string(name(precision));
+  if (!isWanted(c.name))
+  {
+    return;
+  }
   const double start = processorTime();
   const auto tree = build(surface, options);
   c.build = processorTime() - start;
-  c.name = title + ", " + std::string(name(precision));
   const HierarchyView view = tree->hierarchy();
   for (const HierarchyNode& node : view.nodes)
   {
@@ -264,14 +280,14 @@ void race(std::vector<Contender>& all, const Rays& rays, int repeats)
   }
 }
 
-void measure(
-  const Scene& scene, int width, int repeats, const std::string& kind, const std::string& only)
+void measure(const Scene& scene, int width, int repeats, const std::string& kind)
 {
   const auto surface = scene.surface();
   std::vector<Contender> all = contenders(scene, surface);
-  all.erase(std::remove_if(all.begin(), all.end(),
-              [&](const Contender& c) { return c.name.find(only) == std::string::npos; }),
-    all.end());
+  if (all.empty())
+  {
+    return;
+  }
   const Rays camera = cameraRays(scene, width);
   std::vector<Hit> seen(camera.size());
   build(surface)->closest(camera.batch(), seen.data());
@@ -328,7 +344,8 @@ int main(int argc, char** argv)
   try
   {
     const int width = argc > 2 ? std::atoi(argv[2]) : 256;
-    const int repeats = argc > 3 ? std::atoi(argv[3]) : 5;
+    const int repeats = std::max(argc > 3 ? std::atoi(argv[3]) : 5, 1);
+    only = argc > 5 ? argv[5] : "";
     std::vector<Scene> scenes;
     if (argc > 1 && std::string(argv[1]).find('.') != std::string::npos)
     {
@@ -342,7 +359,7 @@ int main(int argc, char** argv)
     {
       if (argc < 2 || scenes.size() == 1 || scene.name == argv[1])
       {
-        measure(scene, width, repeats, argc > 4 ? argv[4] : "", argc > 5 ? argv[5] : "");
+        measure(scene, width, repeats, argc > 4 ? argv[4] : "");
       }
     }
   }
