@@ -49,6 +49,44 @@ private:
   }
 };
 
+/// A block's edges and the points that its edge functions take, seen from an origin.
+struct SeenEdges
+{
+  /// The edge opposite to vertex i ends in vertex pointOf[i].
+  static constexpr int pointOf[3] = { 1, 0, 0 };
+
+  /// Returns the largest of the points' components if it is asked for.
+  template <bool Largest, class T>
+  HWY_INLINE Double4 from(const Vec3& origin, const TriangleBlock<T>& block)
+  {
+    Double4 largest = Double4::all(0.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      Double4 vertex[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        vertex[i] = loadDoubles(block.v[3 * i + k]);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        this->edge[i][k] = vertex[(i + 2) % 3] - vertex[(i + 1) % 3];
+      }
+      for (int i = 0; i < 2; ++i)
+      {
+        this->point[i][k] = vertex[i] - Double4::all(origin[k]);
+        if constexpr (Largest)
+        {
+          largest = raise(absolute(this->point[i][k]), largest);
+        }
+      }
+    }
+    return largest;
+  }
+
+  Double4 edge[3][3];
+  Double4 point[2][3];
+};
+
 /// The lanes of a block that the precision may count as hit, as bits. Certain: lanes whose edge
 /// functions certainly have both signs are out. Otherwise (Fast) lanes whose edge functions have
 /// both signs are out.
@@ -57,31 +95,16 @@ HWY_INLINE unsigned candidateLanes(
   const FilterRay& ray, const TriangleBlock<T>& block, BlockEdges& edges)
 {
   Double4 d[3];
-  Double4 vertex[3][3];
-  Double4 p[3][3];
-  Double4 m = Double4::all(0.0);
   for (int k = 0; k < 3; ++k)
   {
     d[k] = Double4::all(ray.direction[k]);
-    const Double4 origin = Double4::all(ray.origin[k]);
-    for (int i = 0; i < 3; ++i)
-    {
-      vertex[i][k] = loadDoubles(block.v[3 * i + k]);
-      p[i][k] = vertex[i][k] - origin;
-      if constexpr (Certain)
-      {
-        m = raise(absolute(p[i][k]), m);
-      }
-    }
   }
+  SeenEdges seen;
+  const Double4 m = seen.from<Certain>(ray.origin, block);
   auto& f = edges.f;
   for (int i = 0; i < 3; ++i)
   {
-    const int from = (i + 1) % 3;
-    const int to = (i + 2) % 3;
-    const Double4 edge[3] = { vertex[to][0] - vertex[from][0], vertex[to][1] - vertex[from][1],
-      vertex[to][2] - vertex[from][2] };
-    f[i] = edgeFunctions(d, edge, p[from]);
+    f[i] = edgeFunctions(d, seen.edge[i], seen.point[SeenEdges::pointOf[i]]);
   }
   auto& error = edges.error;
   error = Double4::all(0.0);

@@ -52,30 +52,17 @@ struct SeenBlock
 template <class T>
 HWY_INLINE void see(const RayBundle& bundle, const TriangleBlock<T>& block, SeenBlock& seen)
 {
-  Double4 vertex[3][3];
-  Double4 p[3][3];
-  Double4 m = Double4::all(0.0);
-  for (int k = 0; k < 3; ++k)
-  {
-    const Double4 origin = Double4::all(bundle.origin[k]);
-    for (int i = 0; i < 3; ++i)
-    {
-      vertex[i][k] = loadDoubles(block.v[3 * i + k]);
-      p[i][k] = vertex[i][k] - origin;
-      m = raise(absolute(p[i][k]), m);
-    }
-  }
+  SeenEdges edges;
+  const Double4 m = edges.from<true>(bundle.origin, block);
   for (int i = 0; i < 3; ++i)
   {
-    const int from = (i + 1) % 3;
-    const int to = (i + 2) % 3;
-    const Double4 e[3] = { vertex[to][0] - vertex[from][0], vertex[to][1] - vertex[from][1],
-      vertex[to][2] - vertex[from][2] };
-    const Double4* const q = p[from];
-    (e[1] * q[2] - e[2] * q[1]).store(seen.cross[i][0]);
-    (e[2] * q[0] - e[0] * q[2]).store(seen.cross[i][1]);
-    (e[0] * q[1] - e[1] * q[0]).store(seen.cross[i][2]);
-    p[i][bundle.axis].store(seen.along[i]);
+    const Double4* const e = edges.edge[i];
+    const Double4* const p = edges.point[SeenEdges::pointOf[i]];
+    (e[1] * p[2] - e[2] * p[1]).store(seen.cross[i][0]);
+    (e[2] * p[0] - e[0] * p[2]).store(seen.cross[i][1]);
+    (e[0] * p[1] - e[1] * p[0]).store(seen.cross[i][2]);
+    (loadDoubles(block.v[3 * i + bundle.axis]) - Double4::all(bundle.origin[bundle.axis]))
+      .store(seen.along[i]);
   }
   // Four roundings, as there: the last two are the factor |direction|_1 and the floor.
   (Double4::all(2.0 * block.edge) * m * Double4::all(FilterRay::edgeBound / 2)).store(seen.bound);

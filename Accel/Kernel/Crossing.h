@@ -39,17 +39,16 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
 {
   const Vec3 a = vertices[0] - ray.origin;
   const Vec3 b = vertices[1] - ray.origin;
-  const Vec3 c = vertices[2] - ray.origin;
   const Vec3 bc = vertices[2] - vertices[1];
   const Vec3 ca = vertices[0] - vertices[2];
   const Vec3 ab = vertices[1] - vertices[0];
   const Vec3& d = ray.direction;
   EdgeValues e;
   e.u = edgeFunction(d[0], d[1], d[2], bc[0], bc[1], bc[2], b[0], b[1], b[2]);
-  e.v = edgeFunction(d[0], d[1], d[2], ca[0], ca[1], ca[2], c[0], c[1], c[2]);
+  e.v = edgeFunction(d[0], d[1], d[2], ca[0], ca[1], ca[2], a[0], a[1], a[2]);
   e.w = edgeFunction(d[0], d[1], d[2], ab[0], ab[1], ab[2], a[0], a[1], a[2]);
   const double edge = std::max(std::max(magnitude(bc), magnitude(ca)), magnitude(ab));
-  const double m = std::max(std::max(magnitude(a), magnitude(b)), magnitude(c));
+  const double m = std::max(magnitude(a), magnitude(b));
   e.error = 2.0 * edge * m * ray.oneNorm * (FilterRay::edgeBound / 2) + ray.boundFloor;
   return e;
 }
@@ -66,7 +65,7 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
 inline Crossing crossing(
   const FilterRay& ray, const std::array<Vec3, 3>& vertices, const EdgeValues& e)
 {
-  const int k = dominantAxis(ray.direction);
+  const int k = ray.axis;
   const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
     vertices[2][k] - ray.origin[k] };
 
@@ -104,14 +103,8 @@ inline Crossing crossing(
     x.v = 1.0 / 3.0;
   }
   const double pad = spread + rounding;
-  const double perAxis = 1.0 / ray.direction[k];
-  const auto parameter = [&](double along)
-  {
-    // A subnormal direction has no reciprocal.
-    return std::isfinite(perAxis) ? along * perAxis : along / ray.direction[k];
-  };
-  const double first = parameter(std::max(mean - pad, low - rounding));
-  const double second = parameter(std::min(mean + pad, high + rounding));
+  const double first = ray.parameter(std::max(mean - pad, low - rounding));
+  const double second = ray.parameter(std::min(mean + pad, high + rounding));
   x.t = mean / ray.direction[k];
   // Where t overflows, the greatest number bounds it on the inner side.
   x.tLow = std::min({ first, second, std::numeric_limits<double>::max() });
@@ -121,7 +114,26 @@ inline Crossing crossing(
   return x;
 }
 
-/// The same with the triangle's own bound.
+/// Whether the whole triangle certainly lies between the ray's limits along its dominant axis: by
+/// the bounds of `crossing`, where no weight narrows them.
+inline bool surelyBetweenLimits(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+{
+  const int k = ray.axis;
+  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
+    vertices[2][k] - ray.origin[k] };
+  const double low = std::min(std::min(a[0], a[1]), a[2]);
+  const double high = std::max(std::max(a[0], a[1]), a[2]);
+  const double rounding = 0x1p-49 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020;
+  const double first = ray.parameter(low - rounding);
+  const double second = ray.parameter(high + rounding);
+  const double tLow = std::min(first, second);
+  const double tHigh = std::max(first, second);
+  return tLow - (std::fabs(tLow) * 0x1p-51 + 0x1p-1020) >= ray.tMin &&
+    tHigh + (std::fabs(tHigh) * 0x1p-51 + 0x1p-1020) <= ray.tMax &&
+    tHigh <= std::numeric_limits<double>::max();
+}
+
+/// Where the ray crosses the triangle, with the triangle's own bound.
 inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
   return crossing(ray, vertices, edgeValues(ray, vertices));

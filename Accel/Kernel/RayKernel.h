@@ -20,7 +20,7 @@ struct RayFeed
 
 /// How many rays a kernel interleaves at most: enough for one's memory and arithmetic to wait on
 /// those of the others, few enough for their stacks to stay in the innermost cache.
-inline constexpr int mostTravellers = 8;
+inline constexpr int mostTravellers = 3;
 
 /// Takes rays through a whole structure, as many at a time as there are states (mostTravellers at
 /// most): while one waits for memory and for its own arithmetic, the others go on. What a ray finds

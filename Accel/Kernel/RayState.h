@@ -76,7 +76,8 @@ struct RayState
 
   [[nodiscard]] bool skips(PrimitiveId id) const
   {
-    return std::binary_search(this->skipFirst, this->skipLast, id);
+    return this->skipFirst != this->skipLast &&
+      std::binary_search(this->skipFirst, this->skipLast, id);
   }
 
   const Surface& surface;

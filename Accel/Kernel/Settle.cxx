@@ -5,6 +5,8 @@
 #include "Accel/Kernel/Precisions.h"
 #include "Accel/Kernel/Queries.h"
 
+#include <type_traits>
+
 namespace lumitree
 {
 namespace
@@ -15,6 +17,16 @@ void settleCandidate(RayState& state, const Corners& corners, PrimitiveId primit
 {
   Candidate c;
   c.primitive = primitive;
+  if constexpr (std::is_same_v<PrecisionPolicy, ExactPrecision> && std::is_same_v<Query, AnyQuery>)
+  {
+    // Where is not asked.
+    if (surelyHit(state.edges) && surelyBetweenLimits(state.ray, corners) &&
+      !state.skips(primitive))
+    {
+      AnyQuery::offer<ExactPrecision>(state, c);
+      return;
+    }
+  }
   if (!state.skips(primitive) && PrecisionPolicy::settle(state, corners, c))
   {
     Query::template offer<PrecisionPolicy>(state, c);

@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include <cmath>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -126,6 +127,34 @@ HWY_INLINE Pack<T, N> absolute(const Pack<T, N>& a)
   return each(a, a, [](auto x, auto) HWY_ATTR { return hn::Abs(x); });
 }
 
+/// Where sign's sign bit is set yes, else no.
+template <class T, int N>
+HWY_INLINE Pack<T, N> whereNegative(
+  const Pack<T, N>& sign, const Pack<T, N>& yes, const Pack<T, N>& no)
+{
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+  Pack<T, N> r;
+  for (int i = 0; i < Pack<T, N>::parts; ++i)
+  {
+    r.part[i] = hn::IfNegativeThenElse(sign.part[i], yes.part[i], no.part[i]);
+  }
+  return r;
+#else
+  // Highway 1.0's portable target chooses wrongly.
+  T signs[N];
+  T values[N];
+  T others[N];
+  sign.store(signs);
+  yes.store(values);
+  no.store(others);
+  for (int i = 0; i < N; ++i)
+  {
+    values[i] = std::signbit(signs[i]) ? values[i] : others[i];
+  }
+  return Pack<T, N>::load(values);
+#endif
+}
+
 /// A truth value per lane.
 template <class P>
 struct Lanes
@@ -196,6 +225,9 @@ using Double4 = Pack<double, 4>;
 /// Rounded to nearest.
 HWY_INLINE Float4 toFloat(const Double4& a)
 {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+  return { { hn::DemoteTo(Float4::Tag(), a.part[0]) } };
+#else
   HWY_ALIGN float values[4];
   const hn::Rebind<float, Double4::Tag> half;
   for (int i = 0; i < Double4::parts; ++i)
@@ -203,6 +235,7 @@ HWY_INLINE Float4 toFloat(const Double4& a)
     hn::StoreU(hn::DemoteTo(half, a.part[i]), half, values + i * Double4::lanes);
   }
   return Float4::load(values);
+#endif
 }
 
 HWY_INLINE Double4 loadDoubles(const double* values)

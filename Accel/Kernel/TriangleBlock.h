@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Kernel_TriangleBlock_h
 #define Lumitree_Accel_Kernel_TriangleBlock_h
 
+#include "Accel/LargeMemory.h"
 #include "Accel/Surface.h"
 
 #include <vector>
@@ -92,7 +93,7 @@ private:
     return block;
   }
 
-  std::vector<TriangleBlock<T>> blocks_;
+  std::vector<TriangleBlock<T>, LargeMemory<TriangleBlock<T>>> blocks_;
 };
 
 } // namespace lumitree

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Structures_WideBvhNodes_h
 #define Lumitree_Accel_Structures_WideBvhNodes_h
 
+#include "Accel/LargeMemory.h"
 #include "Accel/Vec3.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ struct WideBvhFrame
 struct WideBvhNodes
 {
   WideBvhFrame frame;
-  std::vector<WideBvhNode> nodes;
+  std::vector<WideBvhNode, LargeMemory<WideBvhNode>> nodes;
   /// Lanes are used from lane 0 on; the child in lane i of node n has number firstId[n] + i in the
   /// hierarchy view.
   std::vector<std::uint32_t> firstId;

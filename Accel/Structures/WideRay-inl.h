@@ -37,10 +37,10 @@ struct WideRay
 
   HWY_INLINE void start(const WideBvhFrame& frame, const Ray& ray)
   {
-    this->unit = 1.0 /
-      powerBelow(std::max(
-        { std::fabs(ray.direction[0]), std::fabs(ray.direction[1]), std::fabs(ray.direction[2]) }));
-    this->perT = frame.scale / this->unit;
+    const double size = powerBelow(std::max(
+      { std::fabs(ray.direction[0]), std::fabs(ray.direction[1]), std::fabs(ray.direction[2]) }));
+    this->unit = reciprocalOfPower(size);
+    this->perT = frame.scale * size;
     this->bounded = std::isnormal(this->perT);
 
     // The subtraction rounds to 2^-53 of the result, the conversion to 2^-24; 2^-22 covers both
@@ -53,27 +53,19 @@ struct WideRay
     if (((Double4::all(0x1p64) < absolute(o)).bits() & 7u) != 0)
     {
       this->meetEverything();
+      return;
     }
-    else
-    {
-      const Double4 pad = absolute(o) * Double4::all(0x1p-22) + Double4::all(0x1p-120);
-      HWY_ALIGN float low[4];
-      HWY_ALIGN float high[4];
-      toFloat(o - pad).store(low);
-      toFloat(o + pad).store(high);
-      const Float4 along = toFloat(Double4::load(numbers + 3) * Double4::all(this->unit));
-      this->octant = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        const bool negative = std::signbit(ray.direction[k]);
-        this->octant |= negative ? 1u << k : 0u;
-        // A near plane's t is bounded from below, a far plane's from above.
-        this->originNear[k] = negative ? low[k] : high[k];
-        this->originFar[k] = negative ? high[k] : low[k];
-      }
-      this->sMin = this->below(ray.tMin);
-      this->setReciprocals(ray, Float4::all(1.0f) / along);
-    }
+    const Double4 pad = absolute(o) * Double4::all(0x1p-22) + Double4::all(0x1p-120);
+    const Float4 low = toFloat(o - pad);
+    const Float4 high = toFloat(o + pad);
+    const Float4 along = toFloat(Double4::load(numbers + 3) * Double4::all(this->unit));
+    // A near plane's t is bounded from below, a far plane's from above.
+    whereNegative(along, low, high).store(this->originNear);
+    whereNegative(along, high, low).store(this->originFar);
+    const Float4 one = Float4::all(1.0f);
+    this->octant = (whereNegative(along, Float4::all(-1.0f), one) < one).bits() & 7u;
+    this->sMin = this->below(ray.tMin);
+    this->setReciprocals(ray, one / along);
   }
 
   /// s of a t, rounded down or up; no bound where the range of doubles is not enough to know it.
@@ -93,8 +85,8 @@ struct WideRay
   }
   ///@}
 
-  float originNear[3];
-  float originFar[3];
+  float originNear[4];
+  float originFar[4];
   float nearReciprocal[4]; ///< padded downward where forward
   float farReciprocal[4];  ///< padded upward where forward
   unsigned octant;         ///< bit k is set where component k of the direction is negative
@@ -132,8 +124,8 @@ private:
   /// infinity, still nowhere.
   void meetEverything()
   {
-    std::fill_n(this->originNear, 3, 0x1p100f);
-    std::fill_n(this->originFar, 3, -0x1p100f);
+    std::fill_n(this->originNear, 4, 0x1p100f);
+    std::fill_n(this->originFar, 4, -0x1p100f);
     std::fill_n(this->nearReciprocal, 4, 1.0f);
     std::fill_n(this->farReciprocal, 4, 1.0f);
     this->octant = 0;
@@ -145,10 +137,25 @@ private:
   /// The power of two in (x / 2, x]; of a subnormal number the least normal one.
   static double powerBelow(double x)
   {
+    return fromBits(std::max(toBits(x) & exponentBits, std::uint64_t{ 0x0010000000000000u }));
+  }
+
+  /// 1 / x of such a power, which is below 2^1000 (coordinateLimit).
+  static double reciprocalOfPower(double x) { return fromBits(0x7fe0000000000000u - toBits(x)); }
+
+  static constexpr std::uint64_t exponentBits = 0x7ff0000000000000u;
+
+  static std::uint64_t toBits(double x)
+  {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof(bits));
-    bits = std::max(bits & 0x7ff0000000000000u, std::uint64_t{ 0x0010000000000000u });
-    std::memcpy(&x, &bits, sizeof(bits));
+    return bits;
+  }
+
+  static double fromBits(std::uint64_t bits)
+  {
+    double x;
+    std::memcpy(&x, &bits, sizeof(x));
     return x;
   }
 };
