@@ -6,7 +6,7 @@ python3 Docs/make_benchmarks.py [--programs DIRECTORY] [--surface FILE.obj] [--o
                                 [--quick] [PART...]
 
 Parts: rays, structures, filter, growth; all by default. Between the marks ``<!-- PART -->`` and ``<!-- end -->``
-the page is replaced, unless --no-page is given; tables and raw numbers also go to the output directory
+the page (and README.md, which has a part of filter) is replaced, unless --no-page is given; tables and raw numbers also go to the output directory
 (out/bench). With --surface the first scene, and the third that is made of it, are those of the file.
 """
 
@@ -30,6 +30,7 @@ from matplotlib import pyplot  # noqa: E402  after the choice of back end
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "benchmarks.md"
+README = HERE.parent / "README.md"
 KINDS = ("camera", "incoherent", "occlusion")
 STRUCTURES = ("bvh", "grid", "octree", "kd_tree", "bsp_tree")
 
@@ -79,14 +80,13 @@ class Bench:
         runs = [run for run in read["benchmarks"] if run["run_type"] == "iteration"]
         return runs, read["context"]
 
-    def write(self, part: str, text: str) -> None:
-        (self.out / f"{part}.md").write_text(text)
+    def write(self, part: str, text: str, page: Path = PAGE) -> None:
+        """To the output directory, and between the marks of a page."""
+        (self.out / f"{page.stem}-{part}.md").write_text(text)
         print(text, flush=True)
         if self.page:
-            page = PAGE.read_text()
-            marked = re.compile(rf"(<!-- {part} -->\n).*?(\n<!-- end -->)", re.DOTALL)
-            page = marked.sub(lambda m: f"{m[1]}\n{text.strip()}\n{m[2]}", page)
-            PAGE.write_text(page)
+            marked = re.compile(rf"(<!-- {part} -->\n).*?(<!-- end -->)", re.DOTALL)
+            page.write_text(marked.sub(lambda m: f"{m[1]}\n{text.strip()}\n\n{m[2]}", page.read_text()))
 
     def warning(self) -> str:
         return " **A quick run, beside other work: provisional.**" if self.quick else ""
@@ -100,6 +100,12 @@ class Bench:
         pyplot.close(figure)
 
 
+def place(cell: tuple[str, str]) -> tuple:
+    """Where a scene and a kind of rays stand in a table; runs come in random order."""
+    scene, kind = cell
+    return (scene == "stadium", scene.endswith(" x 16"), scene == "city", scene, (*KINDS, "build").index(kind))
+
+
 def cells(runs: list[dict]) -> tuple[dict, dict]:
     """Nanoseconds per ray, by (scene, kind) and contender, medians; which part of the rays hit."""
     times = defaultdict(lambda: defaultdict(list))
@@ -110,7 +116,7 @@ def cells(runs: list[dict]) -> tuple[dict, dict]:
             times[scene, kind][contender].append(1e6 * run["cpu_time"] / run["rays"])
             if contender == "wide_bvh exact":
                 shares[scene, kind] = run["hit_share"]
-    return {c: {n: median(t) for n, t in of.items()} for c, of in times.items()}, shares
+    return {c: {n: median(t) for n, t in times[c].items()} for c in sorted(times, key=place)}, shares
 
 
 def best(of: dict, start: str, is_sorted: bool) -> tuple[float, str]:
@@ -161,9 +167,9 @@ def build_table(runs: list[dict], context: dict) -> str:
         if kind == "build":
             times[contender][scene].append(run["real_time"])
             memory[contender, scene] = run["bytes_per_triangle"]
-    scenes = list(next(iter(times.values())))
+    scenes = sorted(next(iter(times.values())), key=lambda scene: place((scene, "build")))
     rows = []
-    for contender, of in times.items():
+    for contender, of in sorted(times.items(), reverse=True):
         weights = [memory[contender, s] for s in scenes]
         rows.append(
             [contender]
@@ -227,7 +233,18 @@ def structures(bench: Bench) -> None:
 def filter_cost(bench: Bench) -> None:
     facts = f"Machine: {processor()}, load {load()} at the beginning.{bench.warning()}\n\n"
     flags = ("1000000", "2", "20000") if bench.quick else ()
-    bench.write("filter", facts + bench.run("RayCastVersusLocator", *flags))
+    measured = bench.run("RayCastVersusLocator", *flags)
+    bench.write("filter", facts + measured)
+    rows = [
+        [name, f"{float(build) + float(calls):,.2f}", f"{float(own) + float(rest):,.2f}", times, without]
+        for name, _, _, build, calls, own, rest, _, times, without in (
+            [cell.strip() for cell in line.strip("| ").split(" | ")]
+            for line in measured.splitlines()
+            if line.count(" | ") == 9 and re.search(r"\d", line)
+        )
+    ]
+    head = ["a million rays", "`vtkStaticCellLocator` [s]", "`vtkLumiRayCast` [s]", "times as fast", "without builds"]
+    bench.write("filter", table(head, rows) + "\n" + bench.warning(), README)
 
 
 def exponent(points: list[tuple[float, float]]) -> float:

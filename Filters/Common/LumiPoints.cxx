@@ -3,6 +3,7 @@
 #include "LumiPoints.h"
 
 #include "vtkAOSDataArrayTemplate.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -12,9 +13,31 @@ namespace lumitree::filters
 namespace
 {
 
+/// Of components that lie each for itself, without a virtual call for each value.
+template <class T>
+Values woven(vtkSOADataArrayTemplate<T>* array)
+{
+  const auto tuples = static_cast<std::size_t>(array->GetNumberOfTuples());
+  const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+  auto values = std::make_shared<std::vector<T>>(tuples * components);
+  for (std::size_t i = 0; i < tuples; ++i)
+  {
+    for (std::size_t k = 0; k < components; ++k)
+    {
+      (*values)[i * components + k] =
+        array->GetTypedComponent(static_cast<vtkIdType>(i), static_cast<int>(k));
+    }
+  }
+  return { ArrayView(static_cast<const T*>(values->data())), values };
+}
+
 template <class T>
 Values copyOf(vtkDataArray* array)
 {
+  if (auto* apart = vtkSOADataArrayTemplate<T>::FastDownCast(array))
+  {
+    return woven(apart);
+  }
   const vtkIdType tuples = array->GetNumberOfTuples();
   const int components = array->GetNumberOfComponents();
   auto values = std::make_shared<std::vector<T>>();
