@@ -244,7 +244,7 @@ def filter_cost(bench: Bench) -> None:
         )
     ]
     head = ["a million rays", "`vtkStaticCellLocator` [s]", "`vtkLumiRayCast` [s]", "times as fast", "without builds"]
-    bench.write("filter", table(head, rows) + "\n" + bench.warning(), README)
+    bench.write("filter", table(head, rows) + "\n\n" + bench.warning().strip(), README)
 
 
 def exponent(points: list[tuple[float, float]]) -> float:
