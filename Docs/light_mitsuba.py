@@ -52,7 +52,11 @@ def environment(scene: dict) -> dict:
     z = np.cos(theta) + 0 * phi
     values = np.where(z > 0, radiance_of_sky(scene, x, y, z, np), 0.0)
     bitmap = mi.Bitmap(np.repeat(values[:, :, None], 3, axis=2).astype(np.float32))
-    return {"type": "envmap", "bitmap": bitmap, "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90)}
+    return {
+        "type": "envmap",
+        "bitmap": bitmap,
+        "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], 90),
+    }
 
 
 class Task:
@@ -71,7 +75,12 @@ class Task:
         if "polygon" in scene:
             polygon = np.array(scene["polygon"])
             middle, size = polygon.mean(axis=0), np.ptp(polygon, axis=0) / 2
-            place = mi.ScalarTransform4f().translate(list(middle)).rotate([1, 0, 0], 180).scale([*size[:2], 1])
+            place = (
+                mi.ScalarTransform4f()
+                .translate(list(middle))
+                .rotate([1, 0, 0], 180)
+                .scale([*size[:2], 1])
+            )
             emitter = {"type": "area", "radiance": scene["radiance"]}
             world["light"] = {"type": "rectangle", "to_world": place, "emitter": emitter}
         else:
@@ -93,7 +102,9 @@ class Task:
         return si
 
     def emitter(self, points: Point3f, sampler: mi.Sampler) -> Float:
-        sample, value = self.world.sample_emitter_direction(self.surface(points), sampler.next_2d(), True)
+        sample, value = self.world.sample_emitter_direction(
+            self.surface(points), sampler.next_2d(), True
+        )
         return value.x * dr.maximum(sample.d.z, 0)
 
     def cosine(self, points: Point3f, sampler: mi.Sampler) -> Float:
@@ -140,7 +151,13 @@ def main() -> None:
                         if elapsed > 0.2 and seconds:
                             break
                     error = np.sqrt(np.mean(errors)) / task.exact.mean()
-                    row = [scene["key"], f"{name}, {sampler}", samples, statistics.median(seconds), error]
+                    row = [
+                        scene["key"],
+                        f"{name}, {sampler}",
+                        samples,
+                        statistics.median(seconds),
+                        error,
+                    ]
                     print(*row, values.mean() / task.exact.mean(), sep=";", flush=True)
 
 

@@ -29,7 +29,9 @@ def program(name: str, pythons: list[str]) -> str | None:
     """A program of Radiance on the path, or in the package pyradiance of one of these Pythons."""
     if found := shutil.which(name):
         return found
-    ask = "import importlib.util as u; print(u.find_spec('pyradiance').submodule_search_locations[0])"
+    ask = (
+        "import importlib.util as u; print(u.find_spec('pyradiance').submodule_search_locations[0])"
+    )
     for python in pythons:
         answer = subprocess.run([python, "-c", ask], capture_output=True, text=True, check=False)
         path = Path(answer.stdout.strip() or "/nowhere") / "bin" / name
@@ -51,10 +53,17 @@ def write_light(file, scene: dict, parts: int, directory: Path) -> None:
             for j in range(parts):
                 corner = a + i / parts * (b - a) + j / parts * (d - a)
                 u, v = (b - a) / parts, (d - a) / parts
-                write_polygon(file, "lamp", f"l{i}.{j}", np.array([corner, corner + u, corner + u + v, corner + v]))
+                write_polygon(
+                    file,
+                    "lamp",
+                    f"l{i}.{j}",
+                    np.array([corner, corner + u, corner + u + v, corner + v]),
+                )
         return
     sun = np.array(scene["sun"]) / np.linalg.norm(scene["sun"])
-    numbers = dict(zip(("a", "b", "c", "d", "e", "base"), scene["sky"])) | dict(zip(("sx", "sy", "sz"), sun))
+    numbers = dict(zip(("a", "b", "c", "d", "e", "base"), scene["sky"])) | dict(
+        zip(("sx", "sy", "sz"), sun)
+    )
     (directory / "sky.cal").write_text(SKY.format(**numbers))
     file.write(f"void brightfunc bright 2 skybr {directory}/sky.cal 0 0\n")
     file.write("bright glow shine 0 0 4 1 1 1 0\nshine source sky 0 0 4 0 0 1 180\n")
@@ -71,11 +80,15 @@ def octree(oconv: str, scene: dict, parts: int, directory: Path) -> Path:
         write_light(file, scene, parts, directory)
     result = Path(f"{base}.{parts}.oct")
     with result.open("wb") as file:
-        subprocess.run([oconv, "-f", str(description)], stdout=file, stderr=subprocess.DEVNULL, check=True)
+        subprocess.run(
+            [oconv, "-f", str(description)], stdout=file, stderr=subprocess.DEVNULL, check=True
+        )
     return result
 
 
-def trace(rtrace: str, settings: list[str], tree: Path, sensors: np.ndarray) -> tuple[np.ndarray, float]:
+def trace(
+    rtrace: str, settings: list[str], tree: Path, sensors: np.ndarray
+) -> tuple[np.ndarray, float]:
     rays = np.hstack([sensors, np.tile([0.0, 0.0, 1.0], (len(sensors), 1))])
     rays_file, answers = tree.with_suffix(".rays"), tree.with_suffix(".answers")
     rays.tofile(rays_file)
@@ -92,10 +105,15 @@ def settings_of(scene: dict) -> list[tuple[int, str]]:
     """How finely the light is cut by hand, and the options."""
     if "polygon" in scene:
         # Radiance takes at most 64 samples of one source, so a light is cut to have more.
-        whole = [(1, f"-dt 0 -dc 1 -dj {j} -ds {s}") for j in (0, 0.7) for s in (0.5, 0.2, 0.1, 0.05)]
+        whole = [
+            (1, f"-dt 0 -dc 1 -dj {j} -ds {s}") for j in (0, 0.7) for s in (0.5, 0.2, 0.1, 0.05)
+        ]
         return [(1, ""), *whole, *((parts, "-dt 0 -dc 1 -dj 0 -ds .05") for parts in (2, 4, 8))]
     free = [f"-ab 1 -aa 0 -as 0 -ad {n}" for n in (64, 256, 1024)]
-    return [(1, s + " -lw 1e-7") for s in [*free, "-ab 1 -aa 0 -ad 512 -as 512", "-ab 1 -aa .1 -ar 300 -ad 1024 -as 512"]]
+    return [
+        (1, s + " -lw 1e-7")
+        for s in [*free, "-ab 1 -aa 0 -ad 512 -as 512", "-ab 1 -aa .1 -ar 300 -ad 1024 -as 512"]
+    ]
 
 
 def measure(directory: Path, scenes: list[dict], pythons: list[str]) -> tuple[str, list[dict]]:
@@ -104,8 +122,12 @@ def measure(directory: Path, scenes: list[dict], pythons: list[str]) -> tuple[st
     if rtrace is None or oconv is None:
         return "", []
     library = Path(rtrace).resolve().parent.parent / "lib"
-    os.environ["RAYPATH"] = os.pathsep.join(filter(None, [os.environ.get("RAYPATH"), ".", str(library)]))
-    version = subprocess.run([rtrace, "-version"], capture_output=True, text=True, check=False).stdout.strip()
+    os.environ["RAYPATH"] = os.pathsep.join(
+        filter(None, [os.environ.get("RAYPATH"), ".", str(library)])
+    )
+    version = subprocess.run(
+        [rtrace, "-version"], capture_output=True, text=True, check=False
+    ).stdout.strip()
     rows = []
     for scene in scenes:
         sensors = np.fromfile(f"{directory / scene['key']}.sensors").reshape(-1, 3)
@@ -126,7 +148,13 @@ def measure(directory: Path, scenes: list[dict], pythons: list[str]) -> tuple[st
             rows.append(
                 {
                     "Scene": scene["key"],
-                    "Method": "light cut by hand" if parts > 1 else "cache" if "-aa ." in options else "no cache" if "-ab" in options else "one light",
+                    "Method": "light cut by hand"
+                    if parts > 1
+                    else "cache"
+                    if "-aa ." in options
+                    else "no cache"
+                    if "-ab" in options
+                    else "one light",
                     "Setting": f"{name}, {parts * parts} parts" if parts > 1 else name,
                     "Seconds": statistics.median(seconds),
                     "Error": error,

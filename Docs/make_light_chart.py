@@ -120,7 +120,12 @@ def run_filter(directory: Path, scenes: list[dict]) -> list[dict]:
 def run_mitsuba(directory: Path) -> tuple[str, list[dict]]:
     """Its version, or why there is none, and rows."""
     for python in pythons():
-        if subprocess.run([python, "-c", "import mitsuba"], capture_output=True, check=False).returncode != 0:
+        if (
+            subprocess.run(
+                [python, "-c", "import mitsuba"], capture_output=True, check=False
+            ).returncode
+            != 0
+        ):
             continue
         command = [python, str(HERE / "light_mitsuba.py"), str(directory), "llvm_ad_rgb"]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -130,13 +135,22 @@ def run_mitsuba(directory: Path) -> tuple[str, list[dict]]:
         rows = []
         for line in lines[1:]:
             scene, method, samples, seconds, error, mean = line.split(";")
-            row = {"Program": "Mitsuba", "Scene": scene, "Method": method, "Setting": f"{samples} samples"}
-            rows.append({**row, "Seconds": float(seconds), "Error": float(error), "Mean": float(mean)})
+            row = {
+                "Program": "Mitsuba",
+                "Scene": scene,
+                "Method": method,
+                "Setting": f"{samples} samples",
+            }
+            rows.append(
+                {**row, "Seconds": float(seconds), "Error": float(error), "Mean": float(mean)}
+            )
         return lines[0][2:], rows
     return "", []
 
 
-def seconds_to(points: list[tuple[float, float]], target: float = TARGET) -> tuple[float, bool] | None:
+def seconds_to(
+    points: list[tuple[float, float]], target: float = TARGET
+) -> tuple[float, bool] | None:
     """When the error of a method falls to the target, between its measurements or, where the last two
     still fall, beyond them (True); None where it does not."""
     front, best = [], math.inf
@@ -173,22 +187,32 @@ def written(time_to: tuple[float, bool] | None, points: list[tuple[float, float]
 
 CONTENDERS = {
     "ours": lambda program, method: program == "ours" and not method.startswith("vtk"),
-    "ours, the whole filter": lambda program, method: program == "ours" and method.startswith("vtk"),
+    "ours, the whole filter": lambda program, method: (
+        program == "ours" and method.startswith("vtk")
+    ),
     "Radiance": lambda program, method: program == "Radiance",
-    "Mitsuba, path integrator, default sampler": lambda program, method: method == "path, independent",
+    "Mitsuba, path integrator, default sampler": lambda program, method: (
+        method == "path, independent"
+    ),
     "Mitsuba, path integrator, best sampler": lambda program, method: method.startswith("path,"),
-    "Mitsuba, shadow rays by hand": lambda program, method: method.startswith(("emitter,", "cosine,")),
+    "Mitsuba, shadow rays by hand": lambda program, method: method.startswith(
+        ("emitter,", "cosine,")
+    ),
 }
 
 
 def best_of(methods: dict, chosen, target: float) -> tuple[float, bool] | None:
-    times = [t for key, points in methods.items() if chosen(*key) and (t := seconds_to(points, target))]
+    times = [
+        t for key, points in methods.items() if chosen(*key) and (t := seconds_to(points, target))
+    ]
     return min(times) if times else None
 
 
 def summary(rows: list[dict], scenes: list[dict], target: float) -> str:
     """Of each contender its best method; behind it how many times as long as ours it takes."""
-    lines = [f"| seconds to {100 * target:g} % | " + " | ".join(scene["name"] for scene in scenes) + " |"]
+    lines = [
+        f"| seconds to {100 * target:g} % | " + " | ".join(scene["name"] for scene in scenes) + " |"
+    ]
     lines += ["|" + " --- |" * (1 + len(scenes))]
     for name, chosen in CONTENDERS.items():
         cells = []
@@ -211,11 +235,22 @@ def table(rows: list[dict], scenes: list[dict]) -> str:
     lines = []
     for scene in scenes:
         lines += [f"### {scene['name']}", ""]
-        lines += ["| method | seconds to 1 % | measured: setting, seconds, nRMSE [%] |", "| --- | --- | --- |"]
+        lines += [
+            "| method | seconds to 1 % | measured: setting, seconds, nRMSE [%] |",
+            "| --- | --- | --- |",
+        ]
         for (program, method), points in grouped(rows, scene["key"]).items():
-            own = [r for r in rows if (r["Scene"], r["Program"], r["Method"]) == (scene["key"], program, method)]
-            values = "; ".join(f"{r['Setting']}: {r['Seconds']:.3g}, {100 * r['Error']:.2g}" for r in own)
-            lines.append(f"| {program}: {method} | {written(seconds_to(points), points)} | {values} |")
+            own = [
+                r
+                for r in rows
+                if (r["Scene"], r["Program"], r["Method"]) == (scene["key"], program, method)
+            ]
+            values = "; ".join(
+                f"{r['Setting']}: {r['Seconds']:.3g}, {100 * r['Error']:.2g}" for r in own
+            )
+            lines.append(
+                f"| {program}: {method} | {written(seconds_to(points), points)} | {values} |"
+            )
         lines.append("")
     return "\n".join(lines).rstrip()
 
@@ -263,11 +298,15 @@ def main() -> None:
     rows += [{"Program": "Radiance", **row} for row in more]
     mitsuba, more = run_mitsuba(directory)
     rows += more
-    peers = [radiance or "Radiance is absent: neither rtrace nor the Python package pyradiance was found"]
+    peers = [
+        radiance or "Radiance is absent: neither rtrace nor the Python package pyradiance was found"
+    ]
     peers += [mitsuba or "Mitsuba is absent: no Python has the package mitsuba"]
     print("; ".join(peers))
     with (directory / "light.csv").open("w", newline="") as file:
-        writer = csv.DictWriter(file, ["Scene", "Program", "Method", "Setting", "Seconds", "Error", "Mean"])
+        writer = csv.DictWriter(
+            file, ["Scene", "Program", "Method", "Setting", "Seconds", "Error", "Mean"]
+        )
         writer.writeheader()
         writer.writerows(rows)
     draw(rows, scenes, HERE / "images" / "light-benchmarks.png")
