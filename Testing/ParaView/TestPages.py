@@ -29,9 +29,11 @@ def is_drawn(picture):
 
 
 pages = {path: path.read_text(encoding="utf-8") for path in sorted(PAGES.glob("*.md"))}
+# The same as another proxy, but for an input.
+VARIANTS = {"LumiCameraRaysOfScene": "Camera Rays of Scene", "LumiSkyOfSun": "Sky of Sun"}
 for names in PROXIES.values():
     for name in names:
-        described = f"<!-- properties of {name} -->" if name != "LumiCameraRaysOfScene" else "Camera Rays of Scene"
+        described = VARIANTS.get(name, f"<!-- properties of {name} -->")
         assert any(described in text for text in pages.values()), f"no page of {name}"
 for path, text in pages.items():
     print(path.name, flush=True)
