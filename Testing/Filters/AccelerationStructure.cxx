@@ -126,7 +126,8 @@ TEST_F(Structure, EveryOptionOfTheBuildReachesIt)
   this->filter_->SetMaxDepth(64);
   const double sah = value(this->row(), "SahCost", 0);
   this->filter_->SetKdBuild(vtkLumiAccelerationStructure::SpatialMedian);
-  EXPECT_GT(value(this->row(), "SahCost", 0), sah);
+  // Another tree; a builder weighs a step otherwise than SahCost does, so not always a dearer one.
+  EXPECT_NE(value(this->row(), "SahCost", 0), sah);
 
   this->filter_->SetStructure(vtkLumiAccelerationStructure::Grid);
   const double automatic = value(this->row(), "Leaves", 0);
