@@ -108,7 +108,8 @@ def settings_of(scene: dict) -> list[tuple[int, str]]:
         whole = [
             (1, f"-dt 0 -dc 1 -dj {j} -ds {s}") for j in (0, 0.7) for s in (0.5, 0.2, 0.1, 0.05)
         ]
-        return [(1, ""), *whole, *((parts, "-dt 0 -dc 1 -dj 0 -ds .05") for parts in (2, 4, 8))]
+        cut = [(2, ".05"), (2, ".025"), (4, ".02"), (4, ".0125")]
+        return [(1, ""), *whole, *((n, f"-dt 0 -dc 1 -dj 0 -ds {s}") for n, s in cut)]
     free = [f"-ab 1 -aa 0 -as 0 -ad {n}" for n in (64, 256, 1024)]
     return [
         (1, s + " -lw 1e-7")
