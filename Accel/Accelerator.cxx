@@ -63,6 +63,12 @@ void requireValid(const BuildOptions& options)
   }
 }
 
+std::string_view name(Origin origin)
+{
+  constexpr std::array<std::string_view, 3> names = { "built", "refitted", "loaded" };
+  return names[static_cast<std::size_t>(origin)];
+}
+
 Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOptions& options)
   : options_(options)
   , surface_(std::move(surface))

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace lumitree
 {
@@ -58,6 +59,9 @@ enum class Origin : int
   Loaded = 2    ///< from a file
 };
 
+/// "built", "refitted", "loaded".
+[[nodiscard]] LUMITREE_ACCEL_EXPORT std::string_view name(Origin origin);
+
 /// What building took and what came of it.
 struct BuildStatistics
 {
@@ -72,9 +76,9 @@ struct BuildStatistics
   std::size_t references = 0; ///< primitives counted once per leaf that holds them
   double duplication =
     0.0; ///< references / primitives that can be hit; 1 where nothing is held twice
-  std::size_t memory = 0; ///< bytes of the structure, the surface not included
+  std::size_t memory = 0;    ///< bytes of the structure, the surface not included
   double buildSeconds = 0.0; ///< to build, refit or load it
-  std::string choice; ///< why Auto chose the structure; empty where it was asked for by name
+  std::string choice;        ///< why Auto chose the structure; empty where it was asked for by name
 };
 
 } // namespace lumitree

@@ -28,6 +28,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A structure that was saved of another surface.
+class LUMITREE_ACCEL_EXPORT WrongSurface : public SaveError
+{
+public:
+  using SaveError::SaveError;
+};
+
 /// The version that is written. Only this one is read.
 inline constexpr std::uint32_t saveVersion = 1;
 
@@ -55,6 +62,9 @@ LUMITREE_ACCEL_EXPORT void saveFile(const Accelerator& accelerator, const std::s
 [[nodiscard]] LUMITREE_ACCEL_EXPORT std::shared_ptr<const Accelerator> loadFile(
   const std::string& path, std::shared_ptr<const Surface> surface, int threads = 0,
   JobControl* control = nullptr);
+
+/// Whether a file begins as a saved structure does; false also where it cannot be read.
+[[nodiscard]] LUMITREE_ACCEL_EXPORT bool isSavedStructure(const std::string& path);
 
 } // namespace lumitree
 

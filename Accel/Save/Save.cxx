@@ -128,7 +128,10 @@ std::shared_ptr<const Accelerator> fromBody(
   options.threads = threads;
   const std::vector<std::uint8_t> of = reader.getAll<std::uint8_t>(Fingerprint{}.size());
   const Fingerprint fingerprint = fingerprintOf(*surface, threads);
-  require(std::equal(of.begin(), of.end(), fingerprint.begin()), "it is of another surface");
+  if (!std::equal(of.begin(), of.end(), fingerprint.begin()))
+  {
+    throw WrongSurface("it is of another surface");
+  }
   const Backend backend = Registry::instance().find(options.structure);
   require(static_cast<bool>(backend.load), "its structure is never saved");
   return backend.load(std::move(surface), options, reader, control);
@@ -227,10 +230,20 @@ std::shared_ptr<const Accelerator> loadFile(
   {
     return load(file, std::move(surface), threads, control);
   }
+  catch (const WrongSurface& error)
+  {
+    throw WrongSurface("'" + path + "' cannot be loaded: " + error.what());
+  }
   catch (const SaveError& error)
   {
     throw SaveError("'" + path + "' cannot be loaded: " + error.what());
   }
+}
+
+bool isSavedStructure(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return file && readUpTo(file, magic.size()) == magic;
 }
 
 } // namespace lumitree

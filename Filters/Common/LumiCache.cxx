@@ -246,13 +246,30 @@ Located locate(
                                    : locateHere(input, threads);
 }
 
+TreeReuse reuseOf(const TreeSource& source, vtkMultiProcessController* controller)
+{
+  TreeReuse reuse;
+  reuse.refit = source.refit;
+  if (source.before)
+  {
+    reuse.before = source.before->accelerator;
+    reuse.beforeAsked = source.before->asked;
+    reuse.beforeFile = source.before->file;
+  }
+  reuse.refitLimit = source.refitLimit;
+  reuse.file = source.file;
+  reuse.fileUse = static_cast<TreeReuse::File>(source.fileUse);
+  reuse.mayWrite = !isDistributed(controller) || controller->GetLocalProcessId() == 0;
+  return reuse;
+}
+
 /// The accelerator, or null where the build was stopped.
 std::shared_ptr<const Accelerator> unlessStopped(
-  SharedSurface& surface, const BuildOptions& options, JobControl* control)
+  SharedSurface& surface, const BuildOptions& options, JobControl* control, const TreeReuse& reuse)
 {
   try
   {
-    return surface.accelerator(options, control);
+    return surface.accelerator(options, control, reuse);
   }
   catch (const BuildStopped&)
   {
@@ -279,7 +296,7 @@ std::shared_ptr<const SurfaceInput> surfaceFor(vtkDataObject* input,
 
 std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& options,
   vtkMultiProcessController* controller, vtkAlgorithm* reporter, GatherArrays arrays,
-  JobControl* control)
+  JobControl* control, const TreeSource& source)
 {
   auto tree = std::make_shared<Tree>();
   Stopwatch stopwatch;
@@ -296,7 +313,19 @@ std::shared_ptr<const Tree> treeFor(vtkDataObject* input, const BuildOptions& op
   }
   try
   {
-    tree->accelerator = unlessStopped(*located.surface, options, control);
+    tree->asked = options;
+    tree->file = source.file;
+    const TreeReuse reuse = reuseOf(source, controller);
+    const auto make = [&]
+    { tree->accelerator = unlessStopped(*located.surface, options, control, reuse); };
+    if (isDistributed(controller))
+    {
+      together(controller, make); // a file may be there for some ranks only
+    }
+    else
+    {
+      make();
+    }
     // Stopped on one rank, all ranks go without, so that none waits for another.
     const bool stopped = !tree->accelerator;
     if (isDistributed(controller) ? largestOfAll(controller, stopped) != 0 : stopped)

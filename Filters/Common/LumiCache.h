@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
@@ -26,10 +27,22 @@ struct Tree
 {
   std::shared_ptr<const SurfaceInput> input;
   std::shared_ptr<const Accelerator> accelerator;
+  BuildOptions asked; ///< what it was asked for with
+  std::string file;   ///< what it was to be loaded from or saved to
   /// What this call of treeFor took, next to nothing where something was at hand: to find or make
   /// the surface, and the accelerator.
   double surfaceSeconds = 0.0;
   double buildSeconds = 0.0;
+};
+
+/// How a structure may come about beside being built from nothing.
+struct TreeSource
+{
+  std::shared_ptr<const Tree> before; ///< what the filter had: refitted if refit is set
+  bool refit = false;
+  double refitLimit = 2.0; ///< a refit whose cost has grown by more is built anew
+  std::string file;        ///< of a saved structure; empty: none
+  int fileUse = 0;         ///< vtkLumiStructureAlgorithm::StructureFileUses
 };
 
 /// Whether the point and cell arrays of other ranks are gathered with the triangles. Only those who
@@ -59,10 +72,12 @@ enum class GatherArrays
 
 /// The accelerator over that surface, built if nobody has it yet, with options.threads threads, as
 /// the surface is converted. Unknown structures and options out of range are reported like bad
-/// input. Null without a message when the control was told to stop, on any rank.
+/// input. Null without a message when the control was told to stop, on any rank. With a source also
+/// refitted, loaded and saved; a file that cannot be is one error, on every rank.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::shared_ptr<const Tree> treeFor(vtkDataObject* input,
   const BuildOptions& options, vtkMultiProcessController* controller, vtkAlgorithm* reporter,
-  GatherArrays arrays = GatherArrays::Yes, JobControl* control = nullptr);
+  GatherArrays arrays = GatherArrays::Yes, JobControl* control = nullptr,
+  const TreeSource& source = {});
 
 /// How many accelerators this process has built, for tests.
 [[nodiscard]] LUMITREEFILTERSCOMMON_EXPORT std::uint64_t treeBuilds();

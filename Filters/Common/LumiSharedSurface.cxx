@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LumiSharedSurface.h"
 
+#include "Accel/Save.h"
+
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
 namespace lumitree::filters
 {
@@ -13,6 +17,33 @@ namespace
 {
 
 std::atomic<std::uint64_t> builds{ 0 };
+
+/// When a file was last written; 0 where there is none.
+std::int64_t timeOf(const std::string& file)
+{
+  std::error_code missing;
+  const auto time = std::filesystem::last_write_time(file, missing);
+  return missing ? 0 : static_cast<std::int64_t>(time.time_since_epoch().count());
+}
+
+/// Writes the file that reuse asks for. Never over one that is something else.
+void saveWhereAsked(const Accelerator& tree, const TreeReuse& reuse)
+{
+  if (reuse.file.empty() || !reuse.mayWrite || reuse.fileUse == TreeReuse::File::Load)
+  {
+    return;
+  }
+  const bool exists = std::filesystem::exists(reuse.file);
+  if (exists && !isSavedStructure(reuse.file))
+  {
+    throw SaveError("'" + reuse.file + "' is no saved structure: it is not overwritten");
+  }
+  const bool isThere = &tree == reuse.before.get() && reuse.file == reuse.beforeFile;
+  if (!exists || (reuse.fileUse == TreeReuse::File::Save && !isThere))
+  {
+    saveFile(tree, reuse.file);
+  }
+}
 
 template <class T>
 PointArray joined(const std::vector<SurfacePart>& parts, std::size_t count)
@@ -152,15 +183,24 @@ std::shared_ptr<const SurfaceInput> SharedSurface::input(
   return result;
 }
 
-std::shared_ptr<const Accelerator> SharedSurface::find(const BuildOptions& options)
+std::shared_ptr<const Accelerator> SharedSurface::find(
+  const BuildOptions& options, const TreeReuse& reuse)
 {
-  const auto dead = [](const auto& tree) { return tree.second.expired(); };
+  const auto dead = [](const Entry& entry) { return entry.tree.expired(); };
   this->trees_.erase(
     std::remove_if(this->trees_.begin(), this->trees_.end(), dead), this->trees_.end());
-  for (const auto& [asked, tree] : this->trees_)
+  const bool byFile = !reuse.file.empty() && reuse.fileUse == TreeReuse::File::Load;
+  for (const Entry& entry : this->trees_)
   {
-    std::shared_ptr<const Accelerator> alive = tree.lock();
-    if (alive && (asked == options || alive->options() == options))
+    std::shared_ptr<const Accelerator> alive = entry.tree.lock();
+    if (!alive)
+    {
+      continue;
+    }
+    const bool wanted = byFile ? entry.file == reuse.file && entry.fileTime == timeOf(reuse.file)
+                               : (entry.asked == options || alive->options() == options) &&
+        (reuse.refit || alive->statistics().origin != Origin::Refitted);
+    if (wanted)
     {
       return alive;
     }
@@ -168,25 +208,80 @@ std::shared_ptr<const Accelerator> SharedSurface::find(const BuildOptions& optio
   return nullptr;
 }
 
-std::shared_ptr<const Accelerator> SharedSurface::accelerator(
-  const BuildOptions& options, JobControl* control)
+std::shared_ptr<const Accelerator> SharedSurface::refitted(
+  const BuildOptions& options, JobControl* control, const TreeReuse& reuse) const
 {
+  const Surface& surface = *this->input_.surface;
+  if (!reuse.refit || !reuse.before || !(reuse.beforeAsked == options) ||
+    reuse.before->surface().quadricCount() != surface.quadricCount() ||
+    reuse.before->surface().triangles() != surface.triangles())
   {
-    const std::lock_guard<std::mutex> lock(this->mutex_);
-    if (std::shared_ptr<const Accelerator> existing = this->find(options))
+    return nullptr;
+  }
+  std::shared_ptr<const Accelerator> fitted =
+    reuse.before->refit(this->input_.surface, options.threads, control);
+  const bool good =
+    fitted && fitted->statistics().sahCost <= reuse.refitLimit * fitted->statistics().sahCostBuilt;
+  return good ? fitted : nullptr;
+}
+
+std::shared_ptr<const Accelerator> SharedSurface::make(
+  const BuildOptions& options, JobControl* control, const TreeReuse& reuse)
+{
+  if (!reuse.file.empty() && reuse.fileUse != TreeReuse::File::Save &&
+    (reuse.fileUse == TreeReuse::File::Load || std::filesystem::exists(reuse.file)))
+  {
+    try
     {
-      return existing;
+      std::shared_ptr<const Accelerator> loaded =
+        loadFile(reuse.file, this->input_.surface, options.threads, control);
+      if (reuse.fileUse == TreeReuse::File::Load || options.structure == Structure::Auto ||
+        loaded->options() == options)
+      {
+        return loaded;
+      }
     }
+    catch (const WrongSurface&)
+    {
+      if (reuse.fileUse == TreeReuse::File::Load)
+      {
+        throw;
+      }
+    }
+  }
+  if (std::shared_ptr<const Accelerator> fitted = this->refitted(options, control, reuse))
+  {
+    return fitted;
   }
   std::shared_ptr<const Accelerator> built = build(this->input_.surface, options, control);
   ++builds;
-  const std::lock_guard<std::mutex> lock(this->mutex_);
-  if (std::shared_ptr<const Accelerator> earlier = this->find(options))
-  {
-    return earlier;
-  }
-  this->trees_.emplace_back(options, built);
   return built;
+}
+
+std::shared_ptr<const Accelerator> SharedSurface::accelerator(
+  const BuildOptions& options, JobControl* control, const TreeReuse& reuse)
+{
+  const auto existing = [&]
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    return this->find(options, reuse);
+  };
+  std::shared_ptr<const Accelerator> tree = existing();
+  if (!tree)
+  {
+    const std::int64_t time = timeOf(reuse.file);
+    const std::shared_ptr<const Accelerator> made = this->make(options, control, reuse);
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    tree = this->find(options, reuse);
+    if (!tree)
+    {
+      const bool loaded = made->statistics().origin == Origin::Loaded;
+      this->trees_.push_back({ options, made, loaded ? reuse.file : "", loaded ? time : 0 });
+      tree = made;
+    }
+  }
+  saveWhereAsked(*tree, reuse);
+  return tree;
 }
 
 std::uint64_t acceleratorsBuilt()

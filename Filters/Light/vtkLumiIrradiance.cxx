@@ -94,7 +94,8 @@ struct vtkLumiIrradiance::Internals
       filters::Job buildJob(self, 0.0, buildShare);
       vtkInformationVector* occluders = OccludersAreReceivers(inputs) ? inputs[0] : inputs[1];
       this->Tree = filters::treeFor(vtkDataObject::GetData(occluders), filters::buildOptions(self),
-        self->GetController(), self, filters::GatherArrays::No, buildJob.control());
+        self->GetController(), self, filters::GatherArrays::No, buildJob.control(),
+        filters::treeSource(self, this->Tree));
       light.tree = this->Tree;
       return light.tree != nullptr;
     }

@@ -91,8 +91,8 @@ struct vtkLumiRadiance::Internals
     filters::Job buildJob(self, 0.0, buildShare);
     this->Tree = filters::treeFor(vtkDataObject::GetData(inputs[1]), filters::buildOptions(self),
       self->GetController(), self,
-      self->Reflection ? filters::GatherArrays::Yes : filters::GatherArrays::No,
-      buildJob.control());
+      self->Reflection ? filters::GatherArrays::Yes : filters::GatherArrays::No, buildJob.control(),
+      filters::treeSource(self, this->Tree));
     if (!this->Tree)
     {
       return false;

@@ -340,15 +340,15 @@ int vtkLumiRadiantIntensity::RequestData(
     else
     {
       filters::Job buildJob(this, 0.0, 0.2);
-      const auto tree = [&](int port)
+      const auto tree = [&](int port, const std::shared_ptr<const filters::Tree>& before)
       {
         return filters::treeFor(vtkDataObject::GetData(inputVector[port]),
           filters::buildOptions(this), this->GetController(), this, filters::GatherArrays::No,
-          buildJob.control());
+          buildJob.control(), filters::treeSource(this, before, port == 0));
       };
       const bool others = inputVector[1]->GetNumberOfInformationObjects() > 0;
-      impl.Surface = tree(0);
-      impl.Occluders = others && impl.Surface ? tree(1) : nullptr;
+      impl.Surface = tree(0, impl.Surface);
+      impl.Occluders = others && impl.Surface ? tree(1, impl.Occluders) : nullptr;
       if (!impl.Surface || (others && !impl.Occluders) || !impl.OfSurface(this))
       {
         impl.Web = {};

@@ -177,15 +177,16 @@ int vtkLumiSolidAngle::RequestData(
       throw std::runtime_error("There is no surface on input port 1.");
     }
     filters::Job buildJob(this, 0.0, 0.2);
-    const auto tree = [&](int port)
+    const auto tree = [&](int port, const std::shared_ptr<const filters::Tree>& before)
     {
       return filters::treeFor(vtkDataObject::GetData(inputVector[port]),
         filters::buildOptions(this), this->GetController(), this, filters::GatherArrays::No,
-        buildJob.control());
+        buildJob.control(), filters::treeSource(this, before, port == 1));
     };
     const bool others = this->VisiblePart && inputVector[2]->GetNumberOfInformationObjects() > 0;
-    this->Impl->Surface = tree(1);
-    this->Impl->Occluders = others && this->Impl->Surface ? tree(2) : nullptr;
+    this->Impl->Surface = tree(1, this->Impl->Surface);
+    this->Impl->Occluders =
+      others && this->Impl->Surface ? tree(2, this->Impl->Occluders) : nullptr;
     if (this->Impl->Surface && (!others || this->Impl->Occluders))
     {
       std::unique_ptr<const lumitree::Source> shining;

@@ -40,6 +40,18 @@ BuildOptions buildOptions(vtkLumiStructureAlgorithm* filter)
   return options;
 }
 
+TreeSource treeSource(
+  vtkLumiStructureAlgorithm* filter, const std::shared_ptr<const Tree>& before, bool withFile)
+{
+  TreeSource source;
+  source.before = before;
+  source.refit = filter->GetRefit();
+  source.refitLimit = filter->GetRefitLimit();
+  source.file = withFile ? filter->GetStructureFile() : "";
+  source.fileUse = filter->GetStructureFileUse();
+  return source;
+}
+
 QueryOptions queryOptions(vtkLumiStructureAlgorithm* filter, Job& job)
 {
   QueryOptions options;

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Filters_Rays_LumiSettings_h
 #define Lumitree_Filters_Rays_LumiSettings_h
 
+#include "LumiCache.h"
 #include "LumiJob.h"
 #include "LumiRayInput.h"
 #include "vtkLumiRayAlgorithm.h"
@@ -23,6 +24,9 @@ namespace lumitree::filters
   vtkLumiStructureAlgorithm* filter);
 [[nodiscard]] LUMITREEFILTERSRAYS_EXPORT QueryOptions queryOptions(
   vtkLumiStructureAlgorithm* filter, Job& job);
+/// before: what the filter had; withFile: whether its StructureFile is of this structure.
+[[nodiscard]] LUMITREEFILTERSRAYS_EXPORT TreeSource treeSource(vtkLumiStructureAlgorithm* filter,
+  const std::shared_ptr<const Tree>& before, bool withFile = true);
 ///@}
 
 /// The name of the array chosen with SetInputArrayToProcess(0, …), by name or as an attribute (the

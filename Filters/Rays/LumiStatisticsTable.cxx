@@ -84,6 +84,8 @@ void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& vi
   row.add("Quadrics", std::uint64_t{ surface.quadricCount() });
   row.add("SkippedEmptyQuadrics", std::uint64_t{ surface.emptyQuadricCount() });
   row.add("Choice", std::string_view(built.choice));
+  row.add("Origin", name(built.origin));
+  row.add("SahCostBuilt", built.sahCostBuilt);
 }
 
 void makeCastTable(const Accelerator& accelerator, const Cast& cast, Precision precision,
@@ -104,6 +106,10 @@ void makeCastTable(const Accelerator& accelerator, const Cast& cast, Precision p
   row.add("ReadSeconds", seconds.rays);
   row.add("CastSeconds", seconds.cast);
   row.add("OutputSeconds", seconds.output);
+  const BuildStatistics& built = accelerator.statistics();
+  row.add("Origin", name(built.origin));
+  row.add("SahCost", built.sahCost);
+  row.add("SahCostBuilt", built.sahCostBuilt);
 }
 
 } // namespace lumitree::filters

@@ -92,7 +92,8 @@ int vtkLumiAccelerationStructure::RequestData(
   vtkMultiProcessController* controller = this->GetController();
   filters::Job buildJob(this, 0.0, 0.5);
   this->Impl->Tree = filters::treeFor(vtkDataObject::GetData(inputs[0], 0),
-    filters::buildOptions(this), controller, this, filters::GatherArrays::No, buildJob.control());
+    filters::buildOptions(this), controller, this, filters::GatherArrays::No, buildJob.control(),
+    filters::treeSource(this, this->Impl->Tree));
   if (!this->Impl->Tree)
   {
     return 1; // reported, or stopped; returning 0 would make VTK report it a second time

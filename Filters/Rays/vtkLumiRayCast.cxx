@@ -116,7 +116,7 @@ int vtkLumiRayCast::RequestData(
   this->Impl->Tree = filters::treeFor(vtkDataObject::GetData(inputs[0], 0),
     filters::buildOptions(this), this->GetController(), this,
     this->PassSurfaceData ? filters::GatherArrays::Yes : filters::GatherArrays::No,
-    buildJob.control());
+    buildJob.control(), filters::treeSource(this, this->Impl->Tree));
 
   if (!this->Impl->Tree)
   {

@@ -5,11 +5,14 @@
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
 
 struct vtkLumiStructureAlgorithm::Settings
 {
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::string StructureFile;
 };
 
 vtkLumiStructureAlgorithm::vtkLumiStructureAlgorithm()
@@ -32,8 +35,27 @@ void vtkLumiStructureAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GridDensity: " << this->GridDensity << "\n";
   os << indent << "GridResolution: " << this->GridResolution[0] << " " << this->GridResolution[1]
      << " " << this->GridResolution[2] << "\n";
+  os << indent << "Refit: " << (this->Refit ? "on" : "off") << "\n";
+  os << indent << "RefitLimit: " << this->RefitLimit << "\n";
+  os << indent << "StructureFile: " << this->Held->StructureFile << "\n";
+  os << indent << "StructureFileUse: " << this->StructureFileUse << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Controller: " << this->Held->Controller.Get() << "\n";
+}
+
+void vtkLumiStructureAlgorithm::SetStructureFile(const char* path)
+{
+  const std::string file = path ? path : "";
+  if (this->Held->StructureFile != file)
+  {
+    this->Held->StructureFile = file;
+    this->Modified();
+  }
+}
+
+const char* vtkLumiStructureAlgorithm::GetStructureFile()
+{
+  return this->Held->StructureFile.c_str();
 }
 
 void vtkLumiStructureAlgorithm::SetController(vtkMultiProcessController* controller)

@@ -152,6 +152,58 @@ public:
 
   ///@{
   /**
+   * Whether a bounding volume hierarchy is fitted to points that have moved since this filter last
+   * ran, while the cells are the same, in place of being built again: far quicker, with the same
+   * hits. What rays cost grows as points move against each other; where the surface-area cost has
+   * become more than RefitLimit times that of the tree as it was built, it is built again. Grids,
+   * octrees, KD- and BSP-trees and SpatialSplits are always built again. Default on.
+   */
+  vtkSetMacro(Refit, bool);
+  vtkGetMacro(Refit, bool);
+  vtkBooleanMacro(Refit, bool);
+  ///@}
+
+  ///@{
+  /**
+   * See Refit. Range 1 to 1e300, default 2.
+   */
+  vtkSetClampMacro(RefitLimit, double, 1.0, 1e300);
+  vtkGetMacro(RefitLimit, double);
+  ///@}
+
+  /**
+   * What is done with StructureFile.
+   */
+  enum StructureFileUses
+  {
+    LoadOrBuild = 0, ///< loaded where it is of this surface and these choices; else the structure
+                     ///< is built, and saved there if there is no file
+    Load = 1,        ///< loaded, whatever choices; an error where it is of another surface
+    Save = 2         ///< the structure is saved there, over one saved before
+  };
+
+  ///@{
+  /**
+   * A file that keeps the structure from one session to the next, as StructureFileUse says; empty:
+   * none. A file that is damaged or no saved structure is an error, and never overwritten. Saved
+   * structures are checked against the surface: no file makes a wrong hit. Where a filter builds
+   * structures over two surfaces, it is of that whose parts are asked about, not of the occluders.
+   * Default empty.
+   */
+  void SetStructureFile(const char* path);
+  const char* GetStructureFile();
+  ///@}
+
+  ///@{
+  /**
+   * One of StructureFileUses. Default LoadOrBuild.
+   */
+  vtkSetClampMacro(StructureFileUse, int, LoadOrBuild, Save);
+  vtkGetMacro(StructureFileUse, int);
+  ///@}
+
+  ///@{
+  /**
    * Threads to use; 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may
    * use. Range 0 to 4096, default 0.
    */
@@ -185,6 +237,9 @@ private:
   double GridDensity = 0.5;
   int GridResolution[3] = { 0, 0, 0 };
   int NumberOfThreads = 0;
+  bool Refit = true;
+  double RefitLimit = 2.0;
+  int StructureFileUse = LoadOrBuild;
 
   struct Settings;
   std::unique_ptr<Settings> Held;

@@ -6,6 +6,7 @@
 `inside`                    whether points lie inside a closed mesh
 `camera_rays`, `rays`       sets of rays as VTK data sets
 `hierarchy`                 the tree over a mesh, as boxes and statistics
+`save_structure`            keeps it in a file, for ``structure_file=``
 `compare_structures`        structures side by side, for the same rays
 `disagreements`             the rays on which two back ends differ
 `surface_report`            whether a mesh is closed, manifold, wound alike, and where it is not
@@ -41,6 +42,7 @@ from .choices import (
     Scene,
     Shape,
     Structure,
+    StructureFileUse,
     Sweep,
 )
 from .comparison import Disagreements, compare_structures, disagreements
@@ -70,7 +72,7 @@ from .raycast import Caster, Hits, cast, inside
 from .rayset import rays
 from .scenes import scene
 from .surfacereport import SurfaceReport, surface_report
-from .trees import Hierarchy, hierarchy
+from .trees import Hierarchy, hierarchy, save_structure
 
 __all__ = [
     "BvhBuild",
@@ -93,6 +95,7 @@ __all__ = [
     "Scene",
     "Shape",
     "Structure",
+    "StructureFileUse",
     "SurfaceReport",
     "Sweep",
     "accuracy_chart",
@@ -118,6 +121,7 @@ __all__ = [
     "rays",
     "read",
     "rectangle_light",
+    "save_structure",
     "scene",
     "sensor_grid",
     "sky_light",

@@ -54,6 +54,14 @@ class KdBuild(IntEnum):
     SAH = 1
 
 
+class StructureFileUse(IntEnum):
+    """What is done with a file that keeps a structure."""
+
+    LOAD_OR_BUILD = 0
+    LOAD = 1
+    SAVE = 2
+
+
 class Query(IntEnum):
     """The question asked of each ray."""
 

@@ -135,6 +135,12 @@ def make_parser() -> argparse.ArgumentParser:
         "--grid-resolution", metavar="NxMxK", help="of a grid: cells along x, y and z, instead"
     )
     tree.add_argument(
+        "--structure-file",
+        metavar="FILE",
+        help="keeps the structure from one run to the next: loaded where it is of this mesh and "
+        "these choices, written where there is none",
+    )
+    tree.add_argument(
         "--threads", type=int, default=0, metavar="N", help="default: 0, as many as there are"
     )
 
@@ -214,6 +220,7 @@ def _run(options: argparse.Namespace) -> None:
         grid_density=options.grid_density,
         grid_resolution=_resolution(options.grid_resolution),
         threads=options.threads,
+        structure_file=options.structure_file,
     )
     print(f"surface     {options.mesh}: {surface.GetNumberOfCells():,} cells{_verdict(surface)}")
     print("hierarchy  ", report.hierarchy())

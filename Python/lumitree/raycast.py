@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,7 +16,7 @@ from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
 
 from .arrays import first_row, from_vtk
-from .choices import BvhBuild, KdBuild, Precision, Query, Structure, choose
+from .choices import BvhBuild, KdBuild, Precision, Query, Structure, StructureFileUse, choose
 from .errors import run
 from .rayset import rays
 from .structures import set_structure
@@ -124,6 +125,16 @@ class Caster:
     grid_resolution : a grid's cells along x, y and z, instead; each 1 to 2^20.
     threads : 0 means VTK_SMP_MAX_THREADS when that is set, else as many as this process may use.
         Results do not depend on it.
+    refit : fit a bounding volume hierarchy to points that moved, when the mesh is set to another
+        one of the same cells or its points are told to be modified, in place of building it again.
+        Hits are the same; ``statistics["Origin"]`` tells which it was.
+    refit_limit : build again where rays are expected to cost so many times what they did when the
+        tree was built; at least 1.
+    structure_file : a file that keeps the structure from one run to the next. One that is damaged
+        or no saved structure is an error, and never overwritten.
+    structure_file_use : ``"load_or_build"`` (loaded where it is of this mesh and these options,
+        else built, and saved where there is no file), ``"load"`` (whatever the options; of another
+        mesh an error) or ``"save"``.
 
     Raises ValueError for wrong names, types and shapes. Over several MPI ranks, with a global VTK
     controller, the mesh is the union of the ranks' meshes, and every rank has to cast.
@@ -142,6 +153,10 @@ class Caster:
         grid_density: float = 0.5,
         grid_resolution: Sequence[int] | None = None,
         threads: int = 0,
+        refit: bool = True,
+        refit_limit: float = 2.0,
+        structure_file: str | os.PathLike[str] | None = None,
+        structure_file_use: StructureFileUse | str = "load_or_build",
     ) -> None:
         self._filter = vtkLumiRayCast()
         set_structure(
@@ -155,6 +170,10 @@ class Caster:
             grid_density=grid_density,
             grid_resolution=grid_resolution,
             threads=threads,
+            refit=refit,
+            refit_limit=refit_limit,
+            structure_file=structure_file,
+            structure_file_use=structure_file_use,
         )
         self._chooses_precision = precision is None
         self.mesh = mesh

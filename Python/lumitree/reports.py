@@ -47,6 +47,7 @@ class Report:
     grid_density: float = 0.5
     grid_resolution: tuple[int, int, int] | None = None
     threads: int = 0
+    structure_file: str | None = None
 
     def __post_init__(self) -> None:
         self._tree_options = {
@@ -64,7 +65,12 @@ class Report:
     def hierarchy(self) -> str:
         """Writes hierarchy.vtm, and hierarchy.png. Returns a line about it."""
         with progress_bar("hierarchy") as progress:
-            tree = hierarchy(self.surface, **self._tree_options, progress=progress)
+            tree = hierarchy(
+                self.surface,
+                **self._tree_options,
+                structure_file=self.structure_file,
+                progress=progress,
+            )
             self._tree = tree  # the rays find it built
         write(tree.levels, self.directory / "hierarchy.vtm")
         if self.pictures:
@@ -78,7 +84,7 @@ class Report:
             f"{facts['Structure']}: {facts['Primitives']:,} triangles in {facts['Nodes']:,} nodes, "
             f"{facts['Leaves']:,} of them leaves, {facts['Depth']} deep, "
             f"SAH cost {facts['SahCost']:.4g}, {facts['MemoryBytes'] / 1e6:.3g} MB, "
-            f"built in {facts['BuildSeconds'] * 1e3:.3g} ms"
+            f"{facts['Origin']} in {facts['BuildSeconds'] * 1e3:.3g} ms"
         )
 
     def _camera(self, size: tuple[int, int]) -> vtkImageData:

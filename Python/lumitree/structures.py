@@ -4,12 +4,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 
 import numpy as np
 
 from .arrays import in_range
-from .choices import BvhBuild, KdBuild, Precision, Structure, choose
+from .choices import BvhBuild, KdBuild, Precision, Structure, StructureFileUse, choose
 from .vtk import vtkLumiStructureAlgorithm
 
 
@@ -25,6 +26,10 @@ def set_structure(
     grid_density: float = 0.5,
     grid_resolution: Sequence[int] | None = None,
     threads: int = 0,
+    refit: bool = True,
+    refit_limit: float = 2.0,
+    structure_file: str | os.PathLike[str] | None = None,
+    structure_file_use: StructureFileUse | str = "load_or_build",
 ) -> None:
     """Tells a filter what to build. The options are described at `Caster`.
 
@@ -39,6 +44,19 @@ def set_structure(
     filter_.SetGridDensity(_density(grid_density))
     filter_.SetGridResolution(_resolution(grid_resolution))
     filter_.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
+    filter_.SetRefit(bool(refit))
+    filter_.SetRefitLimit(_limit(refit_limit))
+    filter_.SetStructureFile(os.fspath(structure_file) if structure_file is not None else "")
+    filter_.SetStructureFileUse(
+        choose(StructureFileUse, structure_file_use, "structure_file_use")
+    )
+
+
+def _limit(value: float) -> float:
+    number = isinstance(value, (int, float, np.integer, np.floating))
+    if isinstance(value, bool) or not number or not 1 <= value <= 1e300:
+        raise ValueError(f"refit_limit must be a number from 1 on, not {value!r}")
+    return float(value)
 
 
 def _density(value: float) -> float:

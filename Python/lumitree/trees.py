@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet
 
 from .arrays import first_row, in_range
-from .choices import Structure
+from .choices import Structure, StructureFileUse
 from .errors import run
 from .structures import set_structure
 from .surfaces import Mesh, as_surface
@@ -75,3 +76,24 @@ def hierarchy(
     run(tree, progress)
     levels, statistics = (tree.GetOutputDataObject(port) for port in (0, 1))
     return Hierarchy(levels, first_row(statistics), tree)
+
+
+def save_structure(
+    mesh: Mesh,
+    path: str | os.PathLike[str],
+    structure: Structure | str = "auto",
+    *,
+    progress: Callable[[float], None] | None = None,
+    **build: object,
+) -> dict[str, str | int | float]:
+    """Builds a structure over a mesh and saves it, over one saved there before.
+
+    path : where; functions and classes that build structures load it with ``structure_file=path``,
+        and need no time to build it then.
+    mesh, structure, build : as of `hierarchy`.
+
+    Returns its statistics. Raises LumitreeError where the file cannot be written or is something
+    else than a saved structure, and for structures that are never saved (embree, cgal).
+    """
+    use = {"structure_file": path, "structure_file_use": StructureFileUse.SAVE}
+    return hierarchy(mesh, structure, max_level=0, progress=progress, **build, **use).statistics

@@ -88,7 +88,8 @@ TEST_F(Structure, ArraysAndColumnsAreThoseOfTheDataModel)
     { "MemoryBytes", "id 1" }, { "BuildSeconds", "double 1" }, { "Rays", "id 1" },
     { "RayNodesEntered", "id 1" }, { "RayPrimitivesTested", "id 1" },
     { "ObservedSahCost", "double 1" }, { "EmptyLeaves", "id 1" }, { "EndPointOverlap", "double 1" },
-    { "Quadrics", "id 1" }, { "SkippedEmptyQuadrics", "id 1" }, { "Choice", "string 1" } };
+    { "Quadrics", "id 1" }, { "SkippedEmptyQuadrics", "id 1" }, { "Choice", "string 1" },
+    { "Origin", "string 1" }, { "SahCostBuilt", "double 1" } };
   int i = 0;
   for (const auto& [name, type] : columns)
   {

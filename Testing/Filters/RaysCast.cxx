@@ -325,7 +325,10 @@ TEST_F(RayCast, StatisticsAreOneRow)
   Messages messages(this->cast_);
   this->run(vtkLumiRayCast::Closest);
   EXPECT_EQ(messages.errors, 0);
-  EXPECT_EQ(table->GetNumberOfColumns(), 14);
+  EXPECT_EQ(table->GetValueByName(0, "Origin").ToString(), "built");
+  EXPECT_EQ(shape(row, "SahCost"), "double 1");
+  EXPECT_EQ(value(row, "SahCostBuilt", 0), value(row, "SahCost", 0));
+  EXPECT_EQ(table->GetNumberOfColumns(), 17);
 }
 
 TEST_F(RayCast, LimitsAreClosedAndInUnitsOfTheDirection)

@@ -64,3 +64,51 @@ def test_wrong_arguments():
         lumitree.hierarchy(MESH, "tree")
     with pytest.raises(ValueError, match="max_level must be a whole number from 0 to 64"):
         lumitree.hierarchy(MESH, max_level=65)
+
+
+def test_saved_structures(tmp_path):
+    path = tmp_path / "mesh.lumitree"
+    rays = random_rays(100)
+    fresh = lumitree.cast(MESH, *rays, precision="exact")
+    facts = lumitree.save_structure(MESH, path, "kd_tree")
+    assert facts["Origin"] == "built" and path.stat().st_size > 100
+    caster = lumitree.Caster(
+        MESH, precision="exact", structure_file=path, structure_file_use="load"
+    )
+    again = caster.cast(*rays)
+    assert (again.statistics["Origin"], again.statistics["Structure"]) == ("loaded", "kd_tree")
+    np.testing.assert_array_equal(again.t, fresh.t)
+    np.testing.assert_array_equal(again.cell_id, fresh.cell_id)
+    tree = lumitree.hierarchy(MESH, "kd_tree", structure_file=path)
+    assert tree.statistics["Origin"] == "loaded"
+
+    moved = (MESH[0] + np.float32(0.125), MESH[1])
+    caster.mesh = moved
+    with pytest.raises(lumitree.LumitreeError, match="another surface"):
+        caster.cast(*rays)
+    path.write_bytes(b"x" * 200)
+    with pytest.raises(lumitree.LumitreeError, match="no saved structure"):
+        lumitree.save_structure(MESH, path)
+    with pytest.raises(lumitree.LumitreeError, match="cannot be saved"):
+        lumitree.save_structure(MESH, tmp_path / "other", "embree")
+    with pytest.raises(ValueError, match="structure_file_use"):
+        lumitree.hierarchy(MESH, structure_file=path, structure_file_use="keep")
+
+
+def test_moving_meshes_are_refitted():
+    points, triangles = MESH
+    rays = random_rays(100)
+    caster = lumitree.Caster((points, triangles), structure="wide_bvh", precision="exact")
+    assert caster.cast(*rays).statistics["Origin"] == "built"
+    for frame in range(1, 4):
+        moved = points + np.float32(0.05 * frame) * np.sin(points[:, ::-1])
+        caster.mesh = (moved, triangles)
+        hits = caster.cast(*rays)
+        assert hits.statistics["Origin"] == "refitted"
+        wanted = lumitree.cast(
+            (moved, triangles), *rays, structure="brute_force", precision="exact"
+        )
+        np.testing.assert_array_equal(hits.t, wanted.t)
+        np.testing.assert_array_equal(hits.cell_id, wanted.cell_id)
+    with pytest.raises(ValueError, match="refit_limit"):
+        lumitree.Caster(MESH, refit_limit=0.5)
