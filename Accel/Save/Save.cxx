@@ -132,7 +132,10 @@ std::shared_ptr<const Accelerator> fromBody(
   {
     throw WrongSurface("it is of another surface");
   }
-  const Backend backend = Registry::instance().find(options.structure);
+  // References may be missing in this build.
+  const Registry& registry = Registry::instance();
+  const Backend backend =
+    registry.has(options.structure) ? registry.find(options.structure) : Backend{};
   require(static_cast<bool>(backend.load), "its structure is never saved");
   return backend.load(std::move(surface), options, reader, control);
 }
