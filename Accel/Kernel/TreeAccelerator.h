@@ -39,8 +39,8 @@ struct CanBeRefitted : std::false_type
 };
 template <class Tree>
 struct CanBeRefitted<Tree,
-  std::void_t<decltype(std::declval<const Tree&>().fits(std::declval<const Surface&>(),
-    std::declval<const BuildOptions&>(), std::declval<const LeafBlocks&>()))>> : std::true_type
+  std::void_t<decltype(std::declval<const Tree&>().holds(
+    std::declval<const Surface&>(), std::declval<const LeafBlocks&>()))>> : std::true_type
 {
 };
 ///@}
@@ -60,8 +60,8 @@ struct CanBeRefitted<Tree,
 ///
 /// where points may move
 ///
-///     // whether the next can be
-///     bool fits(const Surface& moved, const BuildOptions&, const LeafBlocks&) const;
+///     static bool canMove(const BuildOptions&); // whether the next can be
+///     bool holds(const Surface& moved, const LeafBlocks&) const; // and holds all that can be hit
 ///     Tree(const Surface&, const BuildOptions&, LeafBlocks&, BuildProgress&, const Tree& before,
 ///       const LeafBlocks& ofBefore);
 ///
@@ -174,7 +174,10 @@ protected:
   {
     if constexpr (CanBeRefitted<Tree>::value)
     {
-      if (this->tree_->fits(*surface, this->options(), this->blocks_))
+      // A tree holds all that could be hit when it was made.
+      const bool holdsAll = this->surface().hittable().size() == this->surface().size();
+      if (Tree::canMove(this->options()) &&
+        (holdsAll || this->tree_->holds(*surface, this->blocks_)))
       {
         BuildOptions options = this->options();
         options.threads = threads;

@@ -34,10 +34,11 @@ public:
   {
   }
 
-  [[nodiscard]] bool fits(
-    const Surface& moved, const BuildOptions& options, const LeafBlocks&) const
+  static bool canMove(const BuildOptions& options) { return !hasParts(options); }
+
+  [[nodiscard]] bool holds(const Surface& moved, const LeafBlocks&) const
   {
-    return !hasParts(options) && holdAll(moved, this->bvh_.references);
+    return holdAll(moved, this->bvh_.references);
   }
 
   void save(

@@ -41,11 +41,11 @@ public:
   {
   }
 
-  [[nodiscard]] bool fits(
-    const Surface& moved, const BuildOptions& options, const LeafBlocks& blocks) const
+  static bool canMove(const BuildOptions& options) { return !hasParts(options); }
+
+  [[nodiscard]] bool holds(const Surface& moved, const LeafBlocks& blocks) const
   {
-    return !hasParts(options) &&
-      holdAll(moved, topologyOf(this->tree_, blocks, false).leaves.references);
+    return holdAll(moved, topologyOf(this->tree_, blocks, false).leaves.references);
   }
 
   void save(
