@@ -24,15 +24,19 @@ public:
   /// What is in which cell follows from the surface: cells are filled again.
   Grid(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress, SaveReader& reader)
-    : Grid(surface, withResolution(options, reader), blocks, progress)
+    : Grid(surface, withResolution(surface, options, reader), blocks, progress)
   {
     require(this->cells_.leaves.size() == reader.get<std::uint64_t>() &&
         this->cells_.references.size() == reader.get<std::uint64_t>(),
       "its cells are not those of its surface");
   }
 
-  void save(const Surface&, const BuildOptions&, const LeafBlocks&, SaveWriter& writer) const
+  void save(
+    const Surface& surface, const BuildOptions&, const LeafBlocks&, SaveWriter& writer) const
   {
+    const GridLattice& lattice = this->cells_.lattice;
+    require(isSaved(surface, { lattice.count(0), lattice.count(1), lattice.count(2) }),
+      "a grid of more than 1000 cells a primitive, and 65536, is not saved: it is built again");
     for (int k = 0; k < 3; ++k)
     {
       writer.put(static_cast<std::int32_t>(this->cells_.lattice.count(k)));
@@ -119,7 +123,15 @@ public:
   }
 
 private:
-  static BuildOptions withResolution(const BuildOptions& options, SaveReader& reader)
+  /// Whether a grid has so few cells that a small file cannot make much work.
+  static bool isSaved(const Surface& surface, const std::array<int, 3>& resolution)
+  {
+    const double cells = static_cast<double>(resolution[0]) * resolution[1] * resolution[2];
+    return cells <= 65536.0 + 1000.0 * static_cast<double>(surface.hittable().size());
+  }
+
+  static BuildOptions withResolution(
+    const Surface& surface, const BuildOptions& options, SaveReader& reader)
   {
     BuildOptions asked = options;
     for (int& cells : asked.gridResolution)
@@ -127,6 +139,8 @@ private:
       cells = reader.get<std::int32_t>();
       require(cells >= 1 && cells <= 1 << 20, "a grid has no such resolution");
     }
+    require(isSaved(surface, asked.gridResolution), "a grid has too many cells for its surface");
+    require(reader.left() == 2 * sizeof(std::uint64_t), "it does not end where a grid does");
     return asked;
   }
 

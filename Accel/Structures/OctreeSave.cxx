@@ -6,6 +6,8 @@
 #include "Accel/Structures/OctreeCells.h"
 #include "Accel/Structures/PrimitiveBoxOverlap.h"
 
+#include <array>
+
 namespace lumitree
 {
 namespace
@@ -70,26 +72,36 @@ private:
     OctreeNode parent = this->tree_.nodes[open.node];
     parent.leaf = false;
     parent.first = static_cast<std::uint32_t>(this->tree_.nodes.size());
+    std::array<Box, 8> octants;
+    std::array<Box, 8> boxes;
     for (int i = 0; i < 8; ++i)
     {
-      const Box octant = OctreeCells::octantOf(open.octant, centre, i);
-      OctreeNode child;
-      child.box = this->cells_.boxOf(octant);
-      child.parent = open.node;
-      std::vector<PrimitiveId> held;
-      for (const PrimitiveId id : open.primitives)
+      octants[i] = OctreeCells::octantOf(open.octant, centre, i);
+      boxes[i] = this->cells_.boxOf(octants[i]);
+    }
+    std::array<std::vector<PrimitiveId>, 8> held;
+    for (const PrimitiveId id : open.primitives)
+    {
+      const PrimitiveBoxOverlap overlap(this->surface_, id);
+      for (int i = 0; i < 8; ++i)
       {
-        if (PrimitiveBoxOverlap(this->surface_, id).mayMeet(child.box))
+        if (overlap.mayMeet(boxes[i]))
         {
-          held.push_back(id);
+          held[i].push_back(id);
+          ++this->held_;
         }
       }
-      if (!held.empty())
+      require(this->held_ <= this->most_, "it has more references than any builder makes");
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      if (!held[i].empty())
       {
-        this->held_ += held.size();
-        require(this->held_ <= this->most_, "it has more references than any builder makes");
+        OctreeNode child;
+        child.box = boxes[i];
+        child.parent = open.node;
         next.push_back(
-          { static_cast<std::uint32_t>(this->tree_.nodes.size()), octant, std::move(held) });
+          { static_cast<std::uint32_t>(this->tree_.nodes.size()), octants[i], std::move(held[i]) });
         this->tree_.nodes.push_back(child);
         ++parent.count;
       }

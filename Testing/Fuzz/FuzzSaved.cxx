@@ -69,25 +69,6 @@ Rays someRays(const Surface& surface)
   return rays;
 }
 
-/// A grid may have millions of cells, which is right, and slow.
-bool isLargeGrid(const std::string& body)
-{
-  std::int32_t structure = 0;
-  if (body.size() < 28 + optionsSize)
-  {
-    return false;
-  }
-  std::memcpy(&structure, body.data(), sizeof(structure));
-  double cells = 1.0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    std::int32_t along = 0;
-    std::memcpy(&along, body.data() + body.size() - 28 + 4 * k, sizeof(along));
-    cells *= std::fabs(static_cast<double>(along));
-  }
-  return structure == static_cast<std::int32_t>(Structure::Grid) && cells > 65536.0;
-}
-
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -98,10 +79,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.leafSize = 1 + input.byte() % 8;
   const auto surface = input.surface(24);
   const std::string body = changed(bodyOf(saved(*build(surface, options))), input);
-  if (isLargeGrid(body))
-  {
-    return 0;
-  }
   std::shared_ptr<const Accelerator> again;
   try
   {
