@@ -5,6 +5,7 @@
 
 #include "Accel/Vec3.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -93,6 +94,22 @@ struct SkipSets
   const std::uint32_t* setOfRay = nullptr;
   const std::uint64_t* offsets = nullptr;
   const std::uint32_t* primitives = nullptr;
+
+  /// The set of ray i, where there are sets.
+  ///@{
+  [[nodiscard]] const std::uint32_t* first(std::size_t i) const
+  {
+    return this->primitives + this->offsets[this->setOfRay ? this->setOfRay[i] : i];
+  }
+  [[nodiscard]] const std::uint32_t* last(std::size_t i) const
+  {
+    return this->primitives + this->offsets[(this->setOfRay ? this->setOfRay[i] : i) + 1];
+  }
+  [[nodiscard]] bool skips(std::size_t i, std::uint32_t primitive) const
+  {
+    return std::binary_search(this->first(i), this->last(i), primitive);
+  }
+  ///@}
 };
 
 /// Rays in the caller's memory; nothing is copied. tMins and tMaxs may be left out, the two scalars

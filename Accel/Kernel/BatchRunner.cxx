@@ -228,13 +228,7 @@ private:
     }
     state.start();
     state.index = i;
-    const SkipSets& skip = this->rays_.skip;
-    if (skip.offsets)
-    {
-      const std::size_t set = skip.setOfRay ? skip.setOfRay[i] : i;
-      state.skipFirst = skip.primitives + skip.offsets[set];
-      state.skipLast = skip.primitives + skip.offsets[set + 1];
-    }
+    state.setSkips(this->rays_.skip);
     return true;
   }
 

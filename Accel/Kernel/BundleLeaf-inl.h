@@ -94,6 +94,18 @@ HWY_INLINE Lanes<Double8> isKey(
   return enter * Double8::all(1.0 - RayBox::relativePad) - Double8::all(RayBox::absolutePad) <= t;
 }
 
+/// The lanes whose rays are to skip the primitive.
+inline unsigned skipping(const RayBundle& bundle, const BundleCandidates& c, PrimitiveId id)
+{
+  unsigned skipped = 0;
+  for (unsigned rest = bundle.skip.offsets ? c.lanes : 0; rest != 0; rest &= rest - 1)
+  {
+    const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(rest));
+    skipped |= bundle.skips(c.first + lane, id) ? 1u << lane : 0u;
+  }
+  return skipped;
+}
+
 /// Decides about the candidates; returns the lanes whose best hit has changed. Where t, u and v are
 /// taken from here they are those of the function `crossing`, by the same operations; so is the
 /// interval of t, but with twice the pad: it holds that function's t as well as the exact one, and
@@ -141,8 +153,9 @@ HWY_NOINLINE unsigned resolve(RayBundle& bundle, const SeenBlock& seen,
   const auto between = (ofRays(bundle.tMin) < low) & (high < ofRays(bundle.tMax));
   const auto nearer = high < ofRays(bundle.low);
   const auto beyond = certain & (ofRays(bundle.high) < low);
-  const unsigned better = (certain & plain & between & nearer).bits() & c.lanes;
-  const unsigned worse = beyond.bits() & c.lanes;
+  const unsigned wanted = c.lanes & ~skipping(bundle, c, block.id[triangle]);
+  const unsigned better = (certain & plain & between & nearer).bits() & wanted;
+  const unsigned worse = beyond.bits() & wanted;
 
   unsigned changed = better;
   if (better != 0)
@@ -167,7 +180,7 @@ HWY_NOINLINE unsigned resolve(RayBundle& bundle, const SeenBlock& seen,
     }
     bundle.unsettled &= ~(static_cast<std::uint64_t>(better) << c.first);
   }
-  for (unsigned rest = c.lanes & ~(better | worse); rest != 0; rest &= rest - 1)
+  for (unsigned rest = wanted & ~(better | worse); rest != 0; rest &= rest - 1)
   {
     const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(rest));
     bundle.settle(c.first + lane, corners, block.id[triangle]);

@@ -70,7 +70,7 @@ std::size_t endOfRun(const ArrayView& origins, std::size_t first, std::size_t en
 bool BundlePlan::mayPay(const RayBatch& rays)
 {
   const std::size_t asked = leastBundle;
-  return rays.size >= asked && !rays.skip.offsets && endOfRun(rays.origins, 0, asked) == asked;
+  return rays.size >= asked && endOfRun(rays.origins, 0, asked) == asked;
 }
 
 void BundlePlan::make(const RayBatch& rays, std::size_t begin, std::size_t end)

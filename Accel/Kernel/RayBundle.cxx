@@ -39,6 +39,7 @@ void RayBundle::take(const RayBatch& rays, const std::size_t* members, int size,
   this->count = size;
   this->unsettled = 0;
   this->failed = 0;
+  this->skip = rays.skip;
   std::copy_n(members, size, this->index);
   const ArrayView& d = rays.directions;
   (d.type == ArrayView::Scalar::Float ? gather<float> : gather<double>)(d.data, members, size,
@@ -69,6 +70,7 @@ void RayBundle::load(int i)
   s.ray.tMax = this->tMax[i];
   s.start();
   s.index = this->index[i];
+  s.setSkips(this->skip);
 }
 
 /// What was counted when it was first settled is not counted again.

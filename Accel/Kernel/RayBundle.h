@@ -23,6 +23,12 @@ struct RayBundle
   /// and whose directions are largest along this axis. What kernels compute is left to them.
   void take(const RayBatch& rays, const std::size_t* members, int size, int along);
 
+  /// Whether ray i is to skip the primitive.
+  [[nodiscard]] bool skips(int i, PrimitiveId id) const
+  {
+    return this->skip.offsets && this->skip.skips(this->index[i], id);
+  }
+
   /// Has ray i's candidate settled by the state's function, after what the ray knows so far.
   void settle(int i, const Corners& corners, PrimitiveId id);
 
@@ -36,6 +42,7 @@ struct RayBundle
   int axis = 0;
   int count = 0;
   Vec3 origin{};
+  SkipSets skip;               ///< the batch's
   std::size_t index[capacity]; ///< of the rays in their batch
   alignas(64) double direction[3][capacity];
   alignas(64) double tMin[capacity];

@@ -80,6 +80,16 @@ struct RayState
       std::binary_search(this->skipFirst, this->skipLast, id);
   }
 
+  /// The set of the ray at index.
+  void setSkips(const SkipSets& skip)
+  {
+    if (skip.offsets)
+    {
+      this->skipFirst = skip.first(this->index);
+      this->skipLast = skip.last(this->index);
+    }
+  }
+
   const Surface& surface;
   std::size_t index = 0; ///< of the ray in its batch
   SettleFunction settle = nullptr;

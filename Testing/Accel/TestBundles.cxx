@@ -181,6 +181,31 @@ TEST_P(Bundles, AmongRaysOfManyPointsAndRaysThatAreNone)
   expectAsAlone(*accelerator, rays.batch(), GetParam());
 }
 
+TEST_P(Bundles, SkipWhatTheirRaysSkip)
+{
+  const auto surface = surfaceOf<float>(data::torus(60, 30, 0.3));
+  const auto accelerator = build(surface, optionsOf(Structure::WideBvh));
+  const Rays rays = picture({ 1.5, 2.5, 2 }, { 0, 0, 0 }, 80, 80, 0.6);
+  std::vector<Hit> hits(rays.size());
+  accelerator->closest(rays.batch(), hits.data(), with(GetParam()));
+  // Each ray skips what it hit, or its neighbour did.
+  std::vector<std::uint64_t> offsets = { 0 };
+  std::vector<PrimitiveId> skipped;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    const PrimitiveId id = hits[i % 3 == 0 ? i : i / 2].primitive;
+    if (id != noPrimitive)
+    {
+      skipped.push_back(id);
+    }
+    offsets.push_back(skipped.size());
+  }
+  RayBatch batch = rays.batch();
+  batch.skip.offsets = offsets.data();
+  batch.skip.primitives = skipped.data();
+  EXPECT_GT(expectAsAlone(*accelerator, batch, GetParam()), 1000u);
+}
+
 /// Tiles that see thousands of triangles are given up and traced ray by ray.
 TEST_P(Bundles, OfFewRaysOverManyTriangles)
 {
