@@ -142,6 +142,46 @@ TEST_P(Bundles, HitWhatTheirRaysHitAlone)
   }
 }
 
+/// Rays that begin or end at what they hit, or one number beside it.
+TEST_P(Bundles, WithLimitsAtTheHits)
+{
+  for (const Seen& seen : surfaces())
+  {
+    SCOPED_TRACE(seen.name);
+    const auto accelerator = build(seen.surface, optionsOf(Structure::WideBvh));
+    const Box box = seen.surface->bounds();
+    Rays rays = picture(box.centre() + 1.3 * box.size(), box.centre(), 64, 48, 0.6);
+    std::vector<Hit> hits(rays.size());
+    accelerator->closest(rays.batch(), hits.data(), with(GetParam()));
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      const double t = hits[i].primitive == noPrimitive ? 1.0 : hits[i].t;
+      const double limits[] = { t, std::nextafter(t, 0.0), std::nextafter(t, HUGE_VAL) };
+      (i % 2 == 0 ? rays.tMins : rays.tMaxs)[i] = limits[i / 2 % 3];
+    }
+    expectAsAlone(*accelerator, rays.batch(), GetParam());
+  }
+}
+
+/// Along the ground, so that t is not known well without exact arithmetic.
+TEST_P(Bundles, OfGrazingRays)
+{
+  const auto surface = surfaceOf<double>(data::terrain(24, 1, 1e-9), { 5e5, 4649776, 100 });
+  const auto accelerator = build(surface, optionsOf(Structure::WideBvh));
+  const Box box = surface->bounds();
+  for (const double height : { 1e-8, 1e-6, 1e-4 })
+  {
+    const Vec3 eye = { box.lower[0] - 0.5 * box.size()[0], box.centre()[1], box.upper[2] + height };
+    expectAsAlone(*accelerator, picture(eye, box.centre(), 128, 40, 2e-8).batch(), GetParam());
+    Rays low = picture(eye, box.centre(), 128, 40, 0.3);
+    for (std::size_t i = 0; i < low.size(); ++i)
+    {
+      low.directions[3 * i + 2] = -height * (0.7 + static_cast<double>(i % 128) / 128);
+    }
+    expectAsAlone(*accelerator, low.batch(), GetParam());
+  }
+}
+
 TEST_P(Bundles, OfRaysOfFloats)
 {
   const auto surface = surfaceOf<float>(data::torus(60, 30, 0.3));

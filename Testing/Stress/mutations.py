@@ -94,13 +94,13 @@ WIDE_BVH = [
            BVH_FRAME, "v - (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v",
            BVH_FRAME, "v + (std::fabs(v) * 0x1p-23 + 0x1p-120)", "v"),
     mutant("The wrong end of the origin's interval for far planes", "Boxes Stress",
-           WIDE_RAY, "this->originFar[k] = negative ? high[k] : low[k];",
-           "this->originFar[k] = negative ? low[k] : high[k];"),
+           WIDE_RAY, "whereNegative(along, high, low).store(this->originFar);",
+           "whereNegative(along, low, high).store(this->originFar);"),
     mutant("A float reciprocal that overflows constrains", "Boxes Stress",
            WIDE_RAY, "std::fabs(this->nearReciprocal[k]) > 0x1p118f", "false"),
     mutant("Far origins overflow: nothing is met from there", "Boxes Stress",
-           WIDE_RAY, "std::fill_n(this->originNear, 3, 0x1p100f);", "std::fill_n(this->originNear, 3, -0x1p100f);",
-           WIDE_RAY, "std::fill_n(this->originFar, 3, -0x1p100f);", "std::fill_n(this->originFar, 3, 0x1p100f);"),
+           WIDE_RAY, "std::fill_n(this->originNear, 4, 0x1p100f);", "std::fill_n(this->originNear, 4, -0x1p100f);",
+           WIDE_RAY, "std::fill_n(this->originFar, 4, -0x1p100f);", "std::fill_n(this->originFar, 4, 0x1p100f);"),
     mutant("Near and far planes exchanged for one sign", "Triangles",
            WIDE_STEP, "wideArity * (negative ? k + 3 : k)", "wideArity * k"),
     mutant("Boxes behind half of the way to the best hit are passed over", "Stress",
@@ -169,13 +169,16 @@ LEAF = [
     mutant("Contraction is allowed", "StyleFloatingPointFlags",
            "cmake/LumitreeCompiler.cmake", ":-ffp-contract=off>", ":-ffp-contract=fast>"),
     mutant("The interval of t without its rounding", "FilterBound Triangles",
-           CROSSING, "0x1p-49 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020", "0.0"),
+           CROSSING, "std::fabs(high)) + 0x1p-1020;\n  double mean", "std::fabs(high)) * 0.0;\n  double mean"),
     mutant("The interval of t a third as wide as the weights allow", "FilterBound",
            CROSSING, "3.0 * relative * (1.0 + 4.0 * relative) * spread", "0.1 * relative * spread"),
     mutant("The interval of t trusts weights within their error", "FilterBound",
            CROSSING, "if (relative < 1.0 / 12)", "if (true)"),
     mutant("t along x, whatever the direction", "Triangles",
-           CROSSING, "const int k = dominantAxis(ray.direction);", "const int k = 0;"),
+           CROSSING, "const int k = ray.axis;\n  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], "
+           "vertices[1][k] - ray.origin[k],\n    vertices[2][k] - ray.origin[k] };\n\n  // Weights", "const int k = 0;\n  "
+           "const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],\n"
+           "    vertices[2][k] - ray.origin[k] };\n\n  // Weights"),
 ]  # fmt: skip
 
 DECISIONS = [
