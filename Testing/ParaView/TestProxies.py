@@ -33,6 +33,7 @@ CHOICES = {
     "Mode": "ParallelGrid SphereAroundPoint Random",
     "RandomOrigins": "InBox OnSphere",
     "NodesAs": "Outlines Cells",
+    "StructureFileUse": "LoadOrBuild Load Save",
     "Shape": "Sphere Ellipsoid Cylinder Cone Paraboloid Disc Plane Box Quadric Function",
     "Scene": "CornellBox Teapot City TeapotInStadium RandomCloud Sphere Torus Terrain",
 }
