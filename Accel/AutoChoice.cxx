@@ -85,7 +85,7 @@ SceneMeasures measure(const Surface& surface)
   struct Sample
   {
     double box;
-    double triangle; ///< its area, both sides; of a quadric its box's
+    double triangle; ///< its area, both sides; of a body its box's
   };
   std::vector<Sample> samples;
   std::vector<bool> cells(fillCells * fillCells * fillCells, false);
@@ -95,7 +95,7 @@ SceneMeasures measure(const Surface& surface)
     const Box box = surface.box(ids[i]);
     const double area = scaledArea(box);
     samples.push_back(
-      { area, surface.isQuadric(ids[i]) ? area : 2.0 * areaOfPrimitive(surface, ids[i], scale) });
+      { area, surface.isTriangle(ids[i]) ? 2.0 * areaOfPrimitive(surface, ids[i], scale) : area });
     std::size_t cell = 0;
     for (int k = 2; k >= 0; --k)
     {

@@ -106,7 +106,7 @@ public:
     double all = 0.0;
     for (const PrimitiveId i : this->surface_.hittable())
     {
-      if (this->surface_.isQuadric(i))
+      if (!this->surface_.isTriangle(i))
       {
         continue;
       }

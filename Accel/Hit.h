@@ -14,8 +14,21 @@ namespace lumitree
 using PrimitiveId = std::uint32_t;
 inline constexpr PrimitiveId noPrimitive = std::numeric_limits<PrimitiveId>::max();
 
+/// What is not certain about a hit. Triangles and quadrics have none of these, except
+/// UncertainOrder beside an implicit.
+namespace HitFlag
+{
+enum : std::uint32_t
+{
+  Uncertain = 1,     ///< intervals could not tell that the implicit is met there: it nearly is
+  Sampled = 2,       ///< of an implicit that is sampled: a sign change between two samples
+  UncertainOrder = 4 ///< Exact: an implicit and another primitive of the ray are closer together
+                     ///< than is known; by the t reported, then by primitive
+};
+}
+
 /// Where a ray meets a primitive. The point is origin + t direction; on a triangle (v0, v1, v2) it
-/// is also (1 - u - v) v0 + u v1 + v v2; on a quadric u = v = 0. A miss has primitive ==
+/// is also (1 - u - v) v0 + u v1 + v v2; on bodies u = v = 0. A miss has primitive ==
 /// noPrimitive, t = infinity, u = v = 0.
 struct Hit
 {
@@ -23,6 +36,7 @@ struct Hit
   double u = 0.0;
   double v = 0.0;
   PrimitiveId primitive = noPrimitive;
+  std::uint32_t flags = 0; ///< of HitFlag
 };
 
 /// Every hit of a batch: those of ray i are hits[offsets[i]] … hits[offsets[i + 1] - 1], ordered by

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Quadric.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace lumitree
 {
@@ -282,22 +284,26 @@ Quadric Quadric::inBox(const QuadricForm& form, const Box& box)
   return q;
 }
 
-double valueAt(const QuadricForm& form, const Vec3& point)
+std::vector<Quadric> Quadric::zerosOf(
+  const std::shared_ptr<const ImplicitTree>& tree, const Box& box)
 {
-  const Vec3 y = point - form.centre;
-  const auto& a = form.coefficients;
-  return (a[0] * y[0] * y[0] + a[1] * y[1] * y[1] + a[2] * y[2] * y[2]) +
-    (a[3] * y[0] * y[1] + a[4] * y[1] * y[2] + a[5] * y[0] * y[2]) +
-    (a[6] * y[0] + a[7] * y[1] + a[8] * y[2]) + (a[9] + form.residue);
-}
-
-Vec3 gradientAt(const QuadricForm& form, const Vec3& point)
-{
-  const Vec3 y = point - form.centre;
-  const auto& a = form.coefficients;
-  return { 2.0 * a[0] * y[0] + a[3] * y[1] + a[5] * y[2] + a[6],
-    2.0 * a[1] * y[1] + a[3] * y[0] + a[4] * y[2] + a[7],
-    2.0 * a[2] * y[2] + a[4] * y[1] + a[5] * y[0] + a[8] };
+  tree->check();
+  if (!tree->isSignOfForms())
+  {
+    throw std::invalid_argument("the zeros of a superquadric are no quadrics");
+  }
+  std::vector<Quadric> pieces;
+  for (const QuadricForm& form : tree->forms)
+  {
+    const bool known = std::any_of(
+      pieces.begin(), pieces.end(), [&](const Quadric& piece) { return piece.form == form; });
+    if (!known)
+    {
+      pieces.push_back(inBox(form, box));
+      pieces.back().tree = tree;
+    }
+  }
+  return pieces;
 }
 
 } // namespace lumitree

@@ -5,27 +5,15 @@
 
 #include "Accel/Box.h"
 #include "Accel/Export.h"
+#include "Accel/ImplicitTree.h"
+#include "Accel/QuadricForm.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace lumitree
 {
-
-/// A function of second degree, with y = x - centre:
-///
-///     f(x) = a0 y0² + a1 y1² + a2 y2² + a3 y0 y1 + a4 y1 y2 + a5 y0 y2
-///          + a6 y0 + a7 y1 + a8 y2 + a9 + residue,
-///
-/// the order of vtkQuadric's coefficients. All numbers are taken as exact reals, the difference
-/// from the centre included. The residue is what a9 lost when it was rounded (the square of a
-/// sphere's radius is the sum of two doubles).
-struct QuadricForm
-{
-  Vec3 centre = { 0.0, 0.0, 0.0 };
-  std::array<double, 10> coefficients = {};
-  double residue = 0.0;
-};
 
 /// The half-space normal · (x - point) <= 0; no constraint when the normal is 0.
 struct QuadricCut
@@ -50,6 +38,9 @@ struct LUMITREE_ACCEL_EXPORT Quadric
   Box clip;
   std::array<QuadricCut, 2> cuts;
   QuadricForm bound;
+  /// If not null, only where this tree is 0 as well, a sign of forms of which form is the first
+  /// that has its numbers.
+  std::shared_ptr<const ImplicitTree> tree;
 
   /// The sphere |x - centre| = radius.
   static Quadric sphere(const Vec3& centre, double radius);
@@ -83,13 +74,14 @@ struct LUMITREE_ACCEL_EXPORT Quadric
 
   /// The part of any quadric in a closed box.
   static Quadric inBox(const QuadricForm& form, const Box& box);
-};
 
-/// f and its gradient at a point, in double arithmetic.
-///@{
-[[nodiscard]] LUMITREE_ACCEL_EXPORT double valueAt(const QuadricForm& form, const Vec3& point);
-[[nodiscard]] LUMITREE_ACCEL_EXPORT Vec3 gradientAt(const QuadricForm& form, const Vec3& point);
-///@}
+  /// Where a sign of forms is 0 in a closed box: one quadric for each form that differs from those
+  /// before it. A union, an intersection or a difference of solids is thus the pieces of their
+  /// surfaces that it shows, each as exact as a sphere. Throws std::invalid_argument where the tree
+  /// is not valid or not a sign of forms.
+  static std::vector<Quadric> zerosOf(
+    const std::shared_ptr<const ImplicitTree>& tree, const Box& box);
+};
 
 } // namespace lumitree
 

@@ -38,8 +38,9 @@ public:
 /// The version that is written. Only this one is read.
 inline constexpr std::uint32_t saveVersion = 1;
 
-/// SHA-1 over points, triangles and quadrics as they are stored, cut to 16 bytes. The map to cells
-/// is not part of it.
+/// SHA-1 over points, triangles, quadrics and implicits as they are stored, cut to 16 bytes. The map
+/// to cells is not part of it. Throws SaveError where an implicit's function has no numbers (those
+/// that are sampled).
 using Fingerprint = std::array<std::uint8_t, 16>;
 [[nodiscard]] LUMITREE_ACCEL_EXPORT Fingerprint fingerprintOf(
   const Surface& surface, int threads = 0);

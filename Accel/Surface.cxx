@@ -5,7 +5,7 @@
 #include "Accel/Exact/Predicates.h"
 #include "Accel/FloatEnvironment.h"
 #include "Accel/Parallel.h"
-#include "Accel/Structures/QuadricBoxOverlap.h"
+#include "Accel/Structures/BodyBoxOverlap.h"
 
 #include <algorithm>
 #include <limits>
@@ -66,13 +66,22 @@ bool within(const QuadricCut& cut)
   return within(cut.normal) && within(cut.point);
 }
 
+bool isEmpty(const Box& box)
+{
+  return box.lower[0] > box.upper[0] || box.lower[1] > box.upper[1] || box.lower[2] > box.upper[2];
+}
+
 Kind classify(const Quadric& q)
 {
-  bool empty = false;
-  for (int k = 0; k < 3; ++k)
+  if (q.tree)
   {
-    empty = empty || q.clip.lower[k] > q.clip.upper[k];
+    q.tree->check();
+    if (!q.tree->isSignOfForms())
+    {
+      throw std::invalid_argument("a quadric's tree must be a sign of forms");
+    }
   }
+  const bool empty = isEmpty(q.clip);
   if (!empty &&
     !(within(q.form) && within(q.bound) && within(q.cuts[0]) && within(q.cuts[1]) &&
       within(q.clip.lower) && within(q.clip.upper)))
@@ -82,6 +91,30 @@ Kind classify(const Quadric& q)
   const auto& a = q.form.coefficients;
   const bool constant = std::all_of(a.begin(), a.end() - 1, [](double x) { return x == 0.0; });
   return empty || constant || !mayHavePoints(q) ? Kind::EmptyQuadric : Kind::Hittable;
+}
+
+Kind classify(const Implicit& implicit)
+{
+  const Box& box = implicit.clip;
+  if (!implicit.function)
+  {
+    throw std::invalid_argument("an implicit has no function");
+  }
+  if (isEmpty(box))
+  {
+    return Kind::EmptyQuadric;
+  }
+  if (!within(box.lower) || !within(box.upper))
+  {
+    return Kind::NonFinite;
+  }
+  if (!(implicit.step >= 0.0 && std::isfinite(implicit.step)) ||
+    (implicit.step > 0.0 && implicit.step < 1e-6 * length(box.size())))
+  {
+    throw std::invalid_argument(
+      "the step of an implicit must be 0, or finite and at least 1e-6 of its box's diagonal");
+  }
+  return mayHavePoints(implicit) ? Kind::Hittable : Kind::EmptyQuadric;
 }
 
 void checkSources(const SourceMap& sources, std::size_t primitives)
@@ -130,14 +163,23 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, SourceMap s
 
 Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector<Quadric> quadrics,
   SourceMap sources, int threads)
+  : Surface(std::move(points), std::move(triangles), std::move(quadrics), std::vector<Implicit>{},
+      std::move(sources), threads)
+{
+}
+
+Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector<Quadric> quadrics,
+  std::vector<Implicit> implicits, SourceMap sources, int threads)
   : points_(std::move(points))
   , triangles_(std::move(triangles))
   , quadrics_(std::move(quadrics))
+  , implicits_(std::move(implicits))
   , sources_(std::move(sources))
 {
   if (this->size() >= noPrimitive)
   {
-    throw std::invalid_argument("a surface holds at most 2^32 - 2 triangles and quadrics");
+    throw std::invalid_argument(
+      "a surface holds at most 2^32 - 2 triangles, quadrics and implicits");
   }
   checkSources(this->sources_, this->size());
 
@@ -148,9 +190,11 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector
       const FloatEnvironment environment;
       for (std::size_t i = begin; i < end; ++i)
       {
-        if (i >= this->triangles_.size())
+        const auto id = static_cast<PrimitiveId>(i);
+        if (!this->isTriangle(id))
         {
-          kinds[i] = classify(this->quadrics_[i - this->triangles_.size()]);
+          kinds[i] =
+            this->isImplicit(id) ? classify(this->implicit(id)) : classify(this->quadric(id));
           continue;
         }
         const Triangle& t = this->triangles_[i];
@@ -158,7 +202,7 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector
         {
           throw std::invalid_argument("a triangle names a point that does not exist");
         }
-        kinds[i] = classify(this->vertices(static_cast<PrimitiveId>(i)));
+        kinds[i] = classify(this->vertices(id));
       }
     });
 
@@ -172,6 +216,7 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector
       case Kind::Hittable:
         this->hittable_.push_back(id);
         this->bounds_.extend(this->box(id));
+        this->sampled_ += this->isImplicit(id) && !this->implicit(id).function->isBounded() ? 1 : 0;
         break;
       case Kind::NonFinite:
         ++this->nonFinite_;
@@ -189,7 +234,11 @@ Surface::Surface(PointArray points, std::vector<Triangle> triangles, std::vector
 Vec3 Surface::normal(PrimitiveId i, const Vec3& point) const
 {
   Vec3 n;
-  if (this->isQuadric(i))
+  if (this->isImplicit(i))
+  {
+    n = scaledToOne(this->implicit(i).function->gradient(point));
+  }
+  else if (this->isQuadric(i))
   {
     n = scaledToOne(gradientAt(this->quadric(i).form, point));
   }
@@ -222,17 +271,18 @@ std::size_t Surface::memory() const
   const std::size_t scalar =
     this->scalar() == ArrayView::Scalar::Float ? sizeof(float) : sizeof(double);
   return 3 * scalar * this->points_.count + this->triangles_.capacity() * sizeof(Triangle) +
-    this->quadrics_.capacity() * sizeof(Quadric) +
+    this->quadrics_.capacity() * sizeof(Quadric) + this->implicits_.capacity() * sizeof(Implicit) +
     this->sources_.cells.capacity() * sizeof(std::int64_t) +
     this->hittable_.capacity() * sizeof(PrimitiveId);
 }
 
-void refuseQuadrics(const Surface& surface, const std::string& reference)
+void refuseBodies(const Surface& surface, const std::string& reference)
 {
-  if (surface.quadricCount() > 0)
+  if (surface.bodyCount() > 0)
   {
-    throw std::invalid_argument(reference + " knows triangles only, the surface has quadrics: " +
-      std::to_string(surface.quadricCount()));
+    throw std::invalid_argument(reference + " knows triangles only, the surface has " +
+      (surface.quadricCount() > 0 ? "quadrics: " + std::to_string(surface.quadricCount())
+                                  : "implicits: " + std::to_string(surface.implicitCount())));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "Accel/Box.h"
 #include "Accel/Export.h"
 #include "Accel/Hit.h"
+#include "Accel/Implicit.h"
 #include "Accel/Quadric.h"
 #include "Accel/Ray.h"
 
@@ -57,11 +58,12 @@ struct SourceMap
   std::vector<SourceBlock> blocks; ///< ascending by first; empty: one dataset, flat index 0
 };
 
-/// What the surfaces of a scene are made of: immutable triangles and quadrics, shared by every
-/// structure built over them. Primitives 0 … T - 1 are the triangles, T … T + Q - 1 the quadrics.
-/// Primitives with a number that is not finite (or beyond coordinateLimit), triangles of zero area
-/// (decided exactly) and quadrics that have no points (an empty box, no second or first degree, or
-/// bounds of their form in the box that exclude 0) stay in the numbering but are never hit.
+/// What the surfaces of a scene are made of: immutable triangles, quadrics and implicits, shared by
+/// every structure built over them. Primitives 0 … T - 1 are the triangles, T … T + Q - 1 the
+/// quadrics, the implicits come last. Primitives with a number that is not finite (or beyond
+/// coordinateLimit), triangles of zero area (decided exactly) and bodies that have no points (an
+/// empty box, a form of no second or first degree, or bounds in the box that exclude 0) stay in the
+/// numbering but are never hit.
 class LUMITREE_ACCEL_EXPORT Surface
 {
 public:
@@ -75,13 +77,23 @@ public:
   Surface(PointArray points, std::vector<Triangle> triangles, std::vector<Quadric> quadrics,
     SourceMap sources = {}, int threads = 0);
 
+  /// The same with implicits. Throws std::invalid_argument also where one has no function, or a
+  /// step that is negative, not finite or less than 1e-6 of its box's diagonal.
+  Surface(PointArray points, std::vector<Triangle> triangles, std::vector<Quadric> quadrics,
+    std::vector<Implicit> implicits, SourceMap sources = {}, int threads = 0);
+
   [[nodiscard]] std::size_t pointCount() const { return this->points_.count; }
   [[nodiscard]] std::size_t size() const
   {
-    return this->triangles_.size() + this->quadrics_.size();
+    return this->triangles_.size() + this->quadrics_.size() + this->implicits_.size();
   }
   [[nodiscard]] std::size_t triangleCount() const { return this->triangles_.size(); }
   [[nodiscard]] std::size_t quadricCount() const { return this->quadrics_.size(); }
+  [[nodiscard]] std::size_t implicitCount() const { return this->implicits_.size(); }
+  /// Implicits that can be hit and whose functions are not bounded.
+  [[nodiscard]] std::size_t sampledCount() const { return this->sampled_; }
+  /// Quadrics and implicits: what has no vertices.
+  [[nodiscard]] std::size_t bodyCount() const { return this->size() - this->triangles_.size(); }
   [[nodiscard]] ArrayView::Scalar scalar() const { return this->points_.values.type; }
   [[nodiscard]] Vec3 point(std::size_t i) const { return this->points_.values.triple(i); }
   /// All coordinates as they are stored, pointCount() triples of scalar().
@@ -90,17 +102,31 @@ public:
   /// i is a triangle.
   [[nodiscard]] const Triangle& triangle(PrimitiveId i) const { return this->triangles_[i]; }
 
-  [[nodiscard]] bool isQuadric(PrimitiveId i) const { return i >= this->triangles_.size(); }
+  [[nodiscard]] bool isTriangle(PrimitiveId i) const { return i < this->triangles_.size(); }
+  [[nodiscard]] bool isQuadric(PrimitiveId i) const
+  {
+    return !this->isTriangle(i) && !this->isImplicit(i);
+  }
+  [[nodiscard]] bool isImplicit(PrimitiveId i) const
+  {
+    return i >= this->triangles_.size() + this->quadrics_.size();
+  }
   /// i is a quadric.
   [[nodiscard]] const Quadric& quadric(PrimitiveId i) const
   {
     return this->quadrics_[i - this->triangles_.size()];
   }
 
-  /// Of a quadric every coordinate is NaN: the filter of leaf tests is never sure about those.
+  /// i is an implicit.
+  [[nodiscard]] const Implicit& implicit(PrimitiveId i) const
+  {
+    return this->implicits_[i - this->triangles_.size() - this->quadrics_.size()];
+  }
+
+  /// Of a body every coordinate is NaN: the filter of leaf tests is never sure about those.
   [[nodiscard]] std::array<Vec3, 3> vertices(PrimitiveId i) const
   {
-    if (this->isQuadric(i))
+    if (!this->isTriangle(i))
     {
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
       return { Vec3{ none, none, none }, Vec3{ none, none, none }, Vec3{ none, none, none } };
@@ -109,15 +135,15 @@ public:
     return { this->point(t[0]), this->point(t[1]), this->point(t[2]) };
   }
 
-  /// Unit normal in double arithmetic: of a triangle by its winding, of a quadric the direction in
-  /// which its form grows at the point. 0 where there is none (a cone's apex).
+  /// Unit normal in double arithmetic: of a triangle by its winding, of a body the direction in
+  /// which its function grows at the point. 0 where there is none (a cone's apex).
   [[nodiscard]] Vec3 normal(PrimitiveId i, const Vec3& point) const;
 
   [[nodiscard]] Box box(PrimitiveId i) const
   {
-    if (this->isQuadric(i))
+    if (!this->isTriangle(i))
     {
-      return this->quadric(i).clip;
+      return this->isImplicit(i) ? this->implicit(i).clip : this->quadric(i).clip;
     }
     Box b;
     for (const std::uint32_t p : this->triangles_[i])
@@ -131,6 +157,7 @@ public:
   [[nodiscard]] const std::vector<PrimitiveId>& hittable() const { return this->hittable_; }
   [[nodiscard]] std::size_t nonFiniteCount() const { return this->nonFinite_; }
   [[nodiscard]] std::size_t zeroAreaCount() const { return this->zeroArea_; }
+  /// Of all bodies.
   [[nodiscard]] std::size_t emptyQuadricCount() const { return this->emptyQuadrics_; }
 
   /// Bounds of what can be hit.
@@ -146,17 +173,19 @@ private:
   PointArray points_;
   std::vector<Triangle> triangles_;
   std::vector<Quadric> quadrics_;
+  std::vector<Implicit> implicits_;
   SourceMap sources_;
   std::vector<PrimitiveId> hittable_;
   std::size_t nonFinite_ = 0;
   std::size_t zeroArea_ = 0;
   std::size_t emptyQuadrics_ = 0;
+  std::size_t sampled_ = 0;
   Box bounds_;
 };
 
 /// For references that know triangles only: throws std::invalid_argument, with the reference's
-/// name, where the surface has quadrics.
-LUMITREE_ACCEL_EXPORT void refuseQuadrics(const Surface& surface, const std::string& reference);
+/// name, where the surface has quadrics or implicits.
+LUMITREE_ACCEL_EXPORT void refuseBodies(const Surface& surface, const std::string& reference);
 
 } // namespace lumitree
 

@@ -122,7 +122,7 @@ private:
     const Surface& surface = this->emitter_.occluders->surface();
     for (const PrimitiveId id : this->found_)
     {
-      if (surface.isQuadric(id))
+      if (!surface.isTriangle(id))
       {
         return false;
       }

@@ -4,9 +4,11 @@
 #define Lumitree_Accel_Exact_Dyadic_h
 
 #include "Accel/Exact/FixedInteger.h"
+#include "Accel/Ray.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -24,6 +26,13 @@ public:
 
   /// a - b
   static Dyadic difference(double a, double b) { return Dyadic(a) - Dyadic(b); }
+
+  /// A ray's origin less a point.
+  static std::array<Dyadic, 3> fromOrigin(const Ray& ray, const Vec3& point)
+  {
+    return { difference(ray.origin[0], point[0]), difference(ray.origin[1], point[1]),
+      difference(ray.origin[2], point[2]) };
+  }
 
   [[nodiscard]] int sign() const { return this->mantissa_.sign(); }
 

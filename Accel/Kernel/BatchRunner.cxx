@@ -41,7 +41,7 @@ public:
     const ArrayView::Scalar scalar = runner.surface_.scalar();
     for (RayState& state : this->states_)
     {
-      state.settle = settleFunction(options.precision, query, runner.surface_.quadricCount() > 0);
+      state.settle = settleFunction(options.precision, query, runner.surface_.bodyCount() > 0);
     }
     this->leafKernel_ = leafKernel(scalar, certain);
     if (runner.walks_.kernel)
@@ -262,7 +262,7 @@ bool BatchRunner::goTogether(
   const bool counting = options.perRay || options.perNode || options.perPrimitive;
   return this->walks_.bundle && !counting && !options.roundedT &&
     (query == QueryKind::Closest || query == QueryKind::Any) &&
-    this->surface_.quadricCount() == 0 && BundlePlan::mayPay(rays);
+    this->surface_.bodyCount() == 0 && BundlePlan::mayPay(rays);
 }
 
 QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
@@ -346,10 +346,11 @@ QueryReport BatchRunner::crossings(
       "' is answered with precision '" + std::string(name(Precision::Exact)) + "' only, not '" +
       std::string(name(options.precision)) + "'");
   }
-  if (this->surface_.quadricCount() > 0)
+  if (this->surface_.sampledCount() > 0)
   {
     throw UnsupportedQuery("the query '" + std::string(name(QueryKind::Crossings)) +
-      "' counts passages through triangles; this surface has quadrics");
+      "' counts passages through what is known everywhere; this surface has implicits that are "
+      "only sampled: " + std::to_string(this->surface_.sampledCount()));
   }
   return this->numbers(rays, QueryKind::Crossings, counts, options);
 }

@@ -34,7 +34,7 @@ bool isVague(double tLow, double tHigh, double t)
 /// By the triangle's own bound: a block's depends on which triangles share it.
 bool isVague(const RayState& state, const Candidate& c)
 {
-  if (state.surface.isQuadric(c.primitive))
+  if (!state.surface.isTriangle(c.primitive))
   {
     return true;
   }
@@ -79,8 +79,14 @@ Hit finish(RayState& state, const Candidate& c, const QueryOptions& options)
   hit.t = c.key;
   hit.u = c.u;
   hit.v = c.v;
+  hit.flags = c.flags;
+  if (state.uncertainOrder == state.index)
+  {
+    hit.flags |= HitFlag::UncertainOrder;
+  }
   if (options.precision == Precision::Exact &&
-    (options.roundedT || (isVague(c.tLow, c.tHigh, c.t) && isVague(state, c))))
+    (options.roundedT || (isVague(c.tLow, c.tHigh, c.t) && isVague(state, c))) &&
+    !state.surface.isImplicit(c.primitive))
   {
     ++state.exactParameters;
     hit.t = state.surface.isQuadric(c.primitive)

@@ -224,9 +224,9 @@ bool OverlapIndex::leftOut(
     }
     return false;
   };
-  if (this->surface_.isQuadric(primitive))
+  if (!this->surface_.isTriangle(primitive))
   {
-    const Box& box = this->surface_.quadric(primitive).clip;
+    const Box box = this->surface_.box(primitive);
     const double corners[6] = { box.lower[0], box.lower[1], box.lower[2], box.upper[0],
       box.upper[1], box.upper[2] };
     return anyPlane([&](const Plane& plane) { return plane.beyond(corners, plane.least); });

@@ -118,7 +118,7 @@ struct ExactPrecision
     }
     ++state.exactTests;
     const Surface& s = state.surface;
-    return s.isQuadric(a.primitive) || s.isQuadric(b.primitive)
+    return !s.isTriangle(a.primitive) || !s.isTriangle(b.primitive)
       ? compareExactly(state, a, b)
       : exact::compareCrossings(state.ray, s.vertices(a.primitive), s.vertices(b.primitive));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Kernel/QuadricHits.h"
 
+#include "Accel/Exact/Passages.h"
 #include "Accel/Exact/Quadratic.h"
 #include "Accel/Kernel/QuadricRoots.h"
 
@@ -16,7 +17,7 @@ exact::Root rootOf(const RayState& state, const Candidate& c)
   {
     return { exact::Quadratic::along(state.ray, state.surface.quadric(c.primitive).form), c.root };
   }
-  return { exact::Quadratic::along(state.ray, state.surface.vertices(c.primitive)), 0 };
+  return { exact::planeAlong(state.ray, state.surface.vertices(c.primitive)), 0 };
 }
 
 /// Settles the roots of one quadric.
@@ -97,6 +98,36 @@ public:
     return this->hits_;
   }
 
+  /// What is certain of the ray, with something to spare, holds for the moved one.
+  QuadricHits passages()
+  {
+    const Ray& ray = this->state_.ray;
+    bool known = this->roots_.known() == QuadricRoots::Known::Roots && !this->roots_.isConstant();
+    std::array<bool, 2> passes = { false, false };
+    for (int i = 0; known && i < this->roots_.count(); ++i)
+    {
+      const QuadricRoots::Root& root = this->roots_[i];
+      const int inside = this->roots_.movedInside(i);
+      const bool beyond = root.tHigh < ray.tMin || root.tLow > ray.tMax;
+      const bool between = root.tLow > ray.tMin && root.tHigh < ray.tMax;
+      known = inside < 0 || beyond || (inside > 0 && between);
+      passes[static_cast<std::size_t>(i)] = inside > 0 && between;
+    }
+    if (!known)
+    {
+      ++this->state_.exactTests;
+      passes = exact::movedPassages(ray, this->quadric_);
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      if (passes[i])
+      {
+        this->add(static_cast<int>(i), {});
+      }
+    }
+    return this->hits_;
+  }
+
 private:
   [[nodiscard]] exact::Quadratic formAlong() const
   {
@@ -134,7 +165,7 @@ private:
   {
     Candidate& c = this->hits_.hits[static_cast<std::size_t>(this->hits_.count++)];
     c.primitive = this->primitive_;
-    c.root = static_cast<std::uint8_t>(index);
+    c.root = static_cast<std::uint16_t>(index);
     c.t = root.t;
     c.tLow = root.tLow;
     c.tHigh = root.tHigh;
@@ -171,8 +202,28 @@ QuadricHits quadricHits(RayState& state, PrimitiveId primitive, Precision precis
   }
 }
 
-int compareExactly(const RayState& state, const Candidate& a, const Candidate& b)
+QuadricHits quadricPassages(RayState& state, PrimitiveId primitive)
 {
+  double tEnter = 0.0;
+  if (!state.box().meets(state.surface.quadric(primitive).clip, state.ray.tMax, tEnter))
+  {
+    return {};
+  }
+  return Settling(state, primitive, tEnter).passages();
+}
+
+int compareExactly(RayState& state, const Candidate& a, const Candidate& b)
+{
+  const bool implicitA = state.surface.isImplicit(a.primitive);
+  const bool implicitB = state.surface.isImplicit(b.primitive);
+  if (implicitA || implicitB)
+  {
+    // Its t, as the number it is, stands for an implicit: so the order of all is one order.
+    state.uncertainOrder = state.index;
+    return implicitA && implicitB ? (a.t < b.t ? -1 : (a.t > b.t ? 1 : 0))
+      : implicitB                 ? exact::compare(rootOf(state, a), b.t)
+                                  : -exact::compare(rootOf(state, b), a.t);
+  }
   return exact::compare(rootOf(state, a), rootOf(state, b));
 }
 

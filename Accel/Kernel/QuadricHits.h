@@ -21,8 +21,12 @@ struct QuadricHits
 /// counts whatever is not certain (what is nearly tangent as one hit), Exact settles it.
 [[nodiscard]] QuadricHits quadricHits(RayState& state, PrimitiveId primitive, Precision precision);
 
-/// Sign of (t of a - t of b), exactly; either may be a triangle.
-[[nodiscard]] int compareExactly(const RayState& state, const Candidate& a, const Candidate& b);
+/// Where the ray, moved as for Crossings, passes through the quadric.
+[[nodiscard]] QuadricHits quadricPassages(RayState& state, PrimitiveId primitive);
+
+/// Sign of (t of a - t of b), exactly; either may be a triangle. Of an implicit t is what was
+/// computed, and the ray is noted as one whose order is not certain.
+[[nodiscard]] int compareExactly(RayState& state, const Candidate& a, const Candidate& b);
 
 /// The double nearest to t of a quadric's hit.
 [[nodiscard]] double nearestParameter(const RayState& state, const Candidate& c);

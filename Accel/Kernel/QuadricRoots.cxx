@@ -2,30 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Kernel/QuadricRoots.h"
 
+#include "Accel/Kernel/Shifted.h"
+
 namespace lumitree
 {
 namespace
 {
 
 using Point = std::array<Bounded, 3>;
-
-/// o + t d - centre to about twice the precision of doubles.
-Bounded shifted(double origin, double centre, double t, double direction)
-{
-  double difference;
-  double differenceRest;
-  Bounded::twoSum(origin, -centre, difference, differenceRest);
-  const double product = t * direction;
-  const double productRest = std::fma(t, direction, -product);
-  double sum;
-  double sumRest;
-  Bounded::twoSum(difference, product, sum, sumRest);
-  const double rest = sumRest + (differenceRest + productRest);
-  const double v = sum + rest;
-  const double lost =
-    4.0 * (std::fabs(sumRest) + std::fabs(differenceRest) + std::fabs(productRest)) + std::fabs(v);
-  return { v, Bounded::grown(Bounded::roundoff * lost) };
-}
 
 /// Value, and derivative along d, of a form at the point y from its centre.
 struct Expansion
@@ -78,11 +62,8 @@ QuadricRoots::QuadricRoots(const Ray& ray, const Quadric& quadric)
   : ray_(ray)
   , quadric_(quadric)
 {
-  // Any t0 is right; scaled, this one neither overflows nor underflows on its way.
-  const double scale = std::max(
-    { std::fabs(ray.direction[0]), std::fabs(ray.direction[1]), std::fabs(ray.direction[2]) });
-  const Vec3 d = { ray.direction[0] / scale, ray.direction[1] / scale, ray.direction[2] / scale };
-  this->t0_ = dot(quadric.clip.centre() - ray.origin, d) / dot(d, d) / scale;
+  // Any t0 is right.
+  this->t0_ = nearMiddle(ray, quadric.clip);
   if (!std::isfinite(this->t0_))
   {
     return;
@@ -101,6 +82,7 @@ void QuadricRoots::solve(const Bounded& a, const Bounded& b, const Bounded& c)
   {
     if (b.isZero())
     {
+      this->constant_ = true;
       this->known_ = Known::Roots;
       return;
     }
@@ -207,6 +189,38 @@ void QuadricRoots::eachConstraint(int root, F f) const
   }
 }
 
+SignRange QuadricRoots::treeSign(int root, SignRange own, bool& certain) const
+{
+  certain = true;
+  Point y; // less the form's centre
+  for (int k = 0; k < 3; ++k)
+  {
+    y[k] = this->middle_[k] + this->roots_[root].s * Bounded(this->ray_.direction[k]);
+  }
+  const ImplicitTree& tree = *this->quadric_.tree;
+  const Vec3& centre = this->quadric_.form.centre;
+  return tree.evaluate<SignRange>(
+    [&](std::size_t i)
+    {
+      const QuadricForm& form = tree.forms[i];
+      if (form == this->quadric_.form)
+      {
+        return own;
+      }
+      Point z;
+      for (int k = 0; k < 3; ++k)
+      {
+        z[k] = y[k] + (Bounded(centre[k]) - Bounded(form.centre[k]));
+      }
+      const SignRange sign = SignRange::of(valueOf(form, z));
+      certain = certain && sign.surelyNotZero();
+      return sign;
+    },
+    [](std::size_t) {
+      return SignRange{ -1, 1 };
+    });
+}
+
 int QuadricRoots::inside(int root) const
 {
   bool out = false;
@@ -217,6 +231,36 @@ int QuadricRoots::inside(int root) const
       out = out || distance.surelyNegative();
       in = in && distance.value >= distance.error;
     });
+  if (this->quadric_.tree && !out)
+  {
+    bool certain = true;
+    const SignRange sign = this->treeSign(root, {}, certain);
+    out = sign.surelyNotZero();
+    in = in && sign.surelyZero();
+  }
+  return out ? -1 : (in ? 1 : 0);
+}
+
+int QuadricRoots::movedInside(int root) const
+{
+  bool out = false;
+  bool in = true;
+  this->eachConstraint(root,
+    [&](const Bounded& distance)
+    {
+      out = out || distance.surelyNegative();
+      in = in && distance.surelyPositive();
+    });
+  if (this->quadric_.tree && !out)
+  {
+    // Whichever way the form changes its sign, the tree changes its own or does not. Where another
+    // form may be 0 as well, exact arithmetic finds which of them passes.
+    bool certain = true;
+    const int below = this->treeSign(root, { -1, -1 }, certain).low;
+    const int above = this->treeSign(root, { 1, 1 }, certain).low;
+    out = certain && below * above >= 0;
+    in = in && certain && below * above < 0;
+  }
   return out ? -1 : (in ? 1 : 0);
 }
 
@@ -224,7 +268,8 @@ bool QuadricRoots::apparentlyInside(int root) const
 {
   bool in = true;
   this->eachConstraint(root, [&](const Bounded& distance) { in = in && distance.value >= 0.0; });
-  return in;
+  bool certain = true;
+  return in && !(this->quadric_.tree && this->treeSign(root, {}, certain).surelyNotZero());
 }
 
 } // namespace lumitree

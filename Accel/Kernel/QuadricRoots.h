@@ -3,7 +3,7 @@
 #ifndef Lumitree_Accel_Kernel_QuadricRoots_h
 #define Lumitree_Accel_Kernel_QuadricRoots_h
 
-#include "Accel/Kernel/Bounded.h"
+#include "Accel/Kernel/SignRange.h"
 #include "Accel/Quadric.h"
 #include "Accel/Ray.h"
 
@@ -41,6 +41,8 @@ public:
   QuadricRoots(const Ray& ray, const Quadric& quadric);
 
   [[nodiscard]] Known known() const { return this->known_; }
+  /// The form along the line has neither a square nor a slope.
+  [[nodiscard]] bool isConstant() const { return this->constant_; }
   /// Nearly tangent, and plain floating point says that it misses.
   [[nodiscard]] bool apparentlyNone() const { return this->apparentlyNone_; }
   /// In the order of t. What plain floating point says where nothing is known.
@@ -49,9 +51,13 @@ public:
   [[nodiscard]] const Root& operator[](int i) const { return this->roots_[i]; }
   ///@}
 
-  /// Where the point at a root lies: 1 certainly in the quadric's box, cuts and bound, -1 certainly
-  /// outside, 0 not known.
+  /// Where the point at a root lies: 1 certainly in the quadric's box, cuts and bound, where its
+  /// tree is certainly 0; -1 certainly not; 0 not known.
   [[nodiscard]] int inside(int root) const;
+
+  /// The same of a ray that is moved by next to nothing, which must pass there from one sign of the
+  /// tree to the other: nothing is certain on a limit.
+  [[nodiscard]] int movedInside(int root) const;
 
   /// What plain floating point says about that.
   [[nodiscard]] bool apparentlyInside(int root) const;
@@ -64,6 +70,9 @@ private:
   /// How far inside, one number per constraint: f(distance) for each that is not trivial.
   template <class F>
   void eachConstraint(int root, F f) const;
+  /// The sign of the tree, if its own form is in the range given. certain: whether no other form is
+  /// or may be 0.
+  [[nodiscard]] SignRange treeSign(int root, SignRange own, bool& certain) const;
 
   const Ray& ray_;
   const Quadric& quadric_;
@@ -71,6 +80,7 @@ private:
   Point middle_; ///< o' less the form's centre
   Known known_ = Known::Nothing;
   bool apparentlyNone_ = false;
+  bool constant_ = false;
   int count_ = 0;
   std::array<Root, 2> roots_;
 };

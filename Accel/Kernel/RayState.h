@@ -17,7 +17,8 @@ namespace lumitree
 struct Candidate
 {
   PrimitiveId primitive = noPrimitive;
-  std::uint8_t root = 0; ///< of a quadric: 0 the lower, 1 the upper of two
+  std::uint16_t root = 0; ///< of a quadric: 0 the lower, 1 the upper of two; of an implicit any
+  std::uint8_t flags = 0; ///< HitFlag
   double key = std::numeric_limits<double>::infinity(); ///< what Fast and Watertight order by
   double t = 0.0;
   double tLow = 0.0;
@@ -98,6 +99,13 @@ struct RayState
   const PrimitiveId* skipFirst = nullptr;
   const PrimitiveId* skipLast = nullptr;
 
+  /// The ray, if any, along which an order could not be certified.
+  std::size_t uncertainOrder = std::numeric_limits<std::size_t>::max();
+  /// Implicits whose hits along a ray have been offered: found once, however many leaves hold them.
+  ///@{
+  std::size_t implicitsRay = std::numeric_limits<std::size_t>::max();
+  std::vector<PrimitiveId> implicits;
+  ///@}
   double tStop = 0.0;           ///< nothing beyond matters
   Candidate best;               ///< Closest, Any
   std::vector<Candidate> found; ///< All, Count, Crossings, Ties

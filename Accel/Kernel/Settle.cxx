@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Kernel/Settle.h"
 
+#include "Accel/Kernel/ImplicitHits.h"
 #include "Accel/Kernel/Precisions.h"
 #include "Accel/Kernel/Queries.h"
 
@@ -33,16 +34,25 @@ void settleCandidate(RayState& state, const Corners& corners, PrimitiveId primit
   }
 }
 
-/// The same of a surface with quadrics, whose lanes the filter always keeps.
+/// The same of a surface with bodies, whose lanes the filter always keeps.
 template <class PrecisionPolicy, class Query>
 void settleEither(RayState& state, const Corners& corners, PrimitiveId primitive)
 {
-  if (!state.surface.isQuadric(primitive))
+  if (state.surface.isTriangle(primitive))
   {
     return settleCandidate<PrecisionPolicy, Query>(state, corners, primitive);
   }
   if (state.skips(primitive))
   {
+    return;
+  }
+  if (state.surface.isImplicit(primitive))
+  {
+    for (const Candidate& c :
+      implicitHits(state, primitive, PrecisionPolicy::precision, Query::everyRoot))
+    {
+      Query::template offer<PrecisionPolicy>(state, c);
+    }
     return;
   }
   const QuadricHits hits = quadricHits(state, primitive, PrecisionPolicy::precision);
@@ -53,44 +63,70 @@ void settleEither(RayState& state, const Corners& corners, PrimitiveId primitive
   }
 }
 
-template <class PrecisionPolicy, class Query>
-SettleFunction choose(bool quadrics)
+/// Passages through whatever the primitive is.
+void settlePassages(RayState& state, const Corners& corners, PrimitiveId primitive)
 {
-  return quadrics ? settleEither<PrecisionPolicy, Query> : settleCandidate<PrecisionPolicy, Query>;
+  if (state.surface.isTriangle(primitive))
+  {
+    return settleCandidate<ExactPassage, CollectQuery>(state, corners, primitive);
+  }
+  if (state.skips(primitive))
+  {
+    return;
+  }
+  if (state.surface.isImplicit(primitive))
+  {
+    for (const Candidate& c : implicitPassages(state, primitive))
+    {
+      CollectQuery::offer<ExactPassage>(state, c);
+    }
+    return;
+  }
+  const QuadricHits passages = quadricPassages(state, primitive);
+  for (int i = 0; i < passages.count; ++i)
+  {
+    CollectQuery::offer<ExactPassage>(state, passages.hits[static_cast<std::size_t>(i)]);
+  }
+}
+
+template <class PrecisionPolicy, class Query>
+SettleFunction choose(bool bodies)
+{
+  return bodies ? settleEither<PrecisionPolicy, Query> : settleCandidate<PrecisionPolicy, Query>;
 }
 
 template <class PrecisionPolicy>
-SettleFunction forQuery(QueryKind query, bool quadrics)
+SettleFunction forQuery(QueryKind query, bool bodies)
 {
   switch (query)
   {
     case QueryKind::Closest:
-      return choose<PrecisionPolicy, ClosestQuery>(quadrics);
+      return choose<PrecisionPolicy, ClosestQuery>(bodies);
     case QueryKind::Any:
-      return choose<PrecisionPolicy, AnyQuery>(quadrics);
+      return choose<PrecisionPolicy, AnyQuery>(bodies);
     case QueryKind::Ties:
-      return choose<PrecisionPolicy, TiesQuery>(quadrics);
+      return choose<PrecisionPolicy, TiesQuery>(bodies);
     default:
-      return choose<PrecisionPolicy, CollectQuery>(quadrics);
+      return choose<PrecisionPolicy, CollectQuery>(bodies);
   }
 }
 
 } // namespace
 
-SettleFunction settleFunction(Precision precision, QueryKind query, bool quadrics)
+SettleFunction settleFunction(Precision precision, QueryKind query, bool bodies)
 {
   if (query == QueryKind::Crossings)
   {
-    return settleCandidate<ExactPassage, CollectQuery>;
+    return bodies ? settlePassages : settleCandidate<ExactPassage, CollectQuery>;
   }
   switch (precision)
   {
     case Precision::Fast:
-      return forQuery<FastPrecision>(query, quadrics);
+      return forQuery<FastPrecision>(query, bodies);
     case Precision::Watertight:
-      return forQuery<WatertightPrecision>(query, quadrics);
+      return forQuery<WatertightPrecision>(query, bodies);
     default:
-      return forQuery<ExactPrecision>(query, quadrics);
+      return forQuery<ExactPrecision>(query, bodies);
   }
 }
 

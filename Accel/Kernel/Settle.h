@@ -10,9 +10,9 @@ namespace lumitree
 {
 
 /// What becomes of a candidate under a precision and a query. Compiled once and called for the one
-/// or two primitives a ray that the filter keeps, so that the SIMD kernels know neither. Quadrics:
+/// or two primitives a ray that the filter keeps, so that the SIMD kernels know neither. Bodies:
 /// whether the surface has any; without them the function does not ask.
-[[nodiscard]] SettleFunction settleFunction(Precision precision, QueryKind query, bool quadrics);
+[[nodiscard]] SettleFunction settleFunction(Precision precision, QueryKind query, bool bodies);
 
 } // namespace lumitree
 

@@ -81,6 +81,40 @@ std::array<double, 46> numbersOf(const Quadric& q)
   return numbers;
 }
 
+/// Of the quadrics' trees, and of the implicits.
+std::vector<double> numbersOfBodies(const Surface& surface)
+{
+  std::vector<double> all;
+  const auto put = [&](const auto& values) { all.insert(all.end(), values.begin(), values.end()); };
+  const ImplicitTree* last = nullptr;
+  for (std::size_t i = surface.triangleCount(); i < surface.size(); ++i)
+  {
+    const auto id = static_cast<PrimitiveId>(i);
+    if (surface.isQuadric(id))
+    {
+      const ImplicitTree* const tree = surface.quadric(id).tree.get();
+      if (tree && tree != last)
+      {
+        all.push_back(static_cast<double>(i));
+        put(tree->numbers());
+      }
+      last = tree;
+      continue;
+    }
+    const Implicit& implicit = surface.implicit(id);
+    const std::vector<double> numbers = implicit.function->numbers();
+    if (numbers.empty())
+    {
+      throw SaveError("structures over functions that are only sampled are not saved");
+    }
+    put(implicit.clip.lower);
+    put(implicit.clip.upper);
+    all.push_back(implicit.step);
+    put(numbers);
+  }
+  return all;
+}
+
 } // namespace
 
 Fingerprint fingerprintOf(const Surface& surface, int threads)
@@ -98,6 +132,8 @@ Fingerprint fingerprintOf(const Surface& surface, int threads)
       numbersOf(surface.quadric(static_cast<PrimitiveId>(surface.triangleCount() + i))));
   }
   pieces.add(quadrics.data(), quadrics.size() * sizeof(quadrics[0]));
+  const std::vector<double> bodies = numbersOfBodies(surface);
+  pieces.add(bodies.data(), bodies.size() * sizeof(double));
   return pieces.all();
 }
 

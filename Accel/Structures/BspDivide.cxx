@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BspDivide.h"
 
+#include "Accel/Structures/BodyBoxOverlap.h"
 #include "Accel/Structures/BspNodes.h"
 #include "Accel/Structures/KdTreeClip.h"
-#include "Accel/Structures/QuadricBoxOverlap.h"
 
 #include <algorithm>
 
@@ -54,14 +54,14 @@ void addPart(const Surface& surface, const KdReference& whole, const BspPlane& p
   BspPart& side)
 {
   const auto corners = surface.vertices(whole.id);
-  const bool quadric = surface.isQuadric(whole.id);
+  const bool body = !surface.isTriangle(whole.id);
   Box bounds = side.cell;
-  if (!quadric)
+  if (!body)
   {
     bounds = plane.axis >= 0 ? clippedBounds(corners, side.cell) : partBeside(corners, plane, sign);
   }
   bounds = commonBox(commonBox(bounds, whole.bounds), side.cell);
-  if (!bounds.empty() && !(quadric && !mayMeet(surface.quadric(whole.id), bounds)))
+  if (!bounds.empty() && !(body && !mayMeet(surface, whole.id, bounds)))
   {
     side.references.push_back({ bounds, whole.id });
   }
@@ -83,7 +83,7 @@ BspSide sideOf(const Surface& surface, const KdReference& r, const BspPlane& pla
     return upper <= plane.offset ? BspSide::Below
                                  : (lower >= plane.offset ? BspSide::Above : BspSide::Both);
   }
-  // Of a quadric they are NaN, and nothing is certain.
+  // Of a body they are NaN, and nothing is certain.
   bool below = true;
   bool above = true;
   for (const Vec3& p : surface.vertices(r.id))

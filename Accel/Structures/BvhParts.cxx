@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BvhParts.h"
 
+#include "Accel/Structures/BodyBoxOverlap.h"
 #include "Accel/Structures/KdTreeClip.h"
-#include "Accel/Structures/QuadricBoxOverlap.h"
 
 namespace lumitree
 {
@@ -16,12 +16,12 @@ constexpr int mostSteps = 512;
 /// A box around what a primitive has inside a closed box, empty where that is nothing.
 Box partOf(const Surface& surface, PrimitiveId primitive, const Box& inside)
 {
-  if (!surface.isQuadric(primitive))
+  if (surface.isTriangle(primitive))
   {
     return clippedBounds(surface.vertices(primitive), inside);
   }
   const Box box = commonBox(surface.box(primitive), inside);
-  return box.empty() || mayMeet(surface.quadric(primitive), box) ? box : Box{};
+  return box.empty() || mayMeet(surface, primitive, box) ? box : Box{};
 }
 
 bool isWithin(const Box& a, const Box& b)

@@ -48,7 +48,7 @@ private:
   Box box_;
 };
 
-/// Bounds of the part between two planes across an axis; empty where there is none. Of a quadric,
+/// Bounds of the part between two planes across an axis; empty where there is none. Of a body,
 /// whose corners are NaN, all that lies between them.
 BuildBox partBetween(const std::array<Vec3, 3>& corners, int axis, float low, float high)
 {
@@ -225,7 +225,7 @@ void SpatialStrategy::ids(BvhSegment& segment, PrimitiveId* out) const
 BuildBox SpatialStrategy::partOf(const BuildReference& r, int axis, float low, float high) const
 {
   BuildBox part = boxOf(r);
-  if (this->surface_.isQuadric(r.id))
+  if (!this->surface_.isTriangle(r.id))
   {
     part.lower[axis] = std::max(part.lower[axis], low);
     part.upper[axis] = std::min(part.upper[axis], high);

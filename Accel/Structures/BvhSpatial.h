@@ -32,7 +32,7 @@ private:
   struct Plane;
 
   /// What a reference has between two planes across an axis; empty where that is nothing. Of a
-  /// quadric, what its box has.
+  /// body, what its box has.
   [[nodiscard]] BuildBox partOf(const BuildReference& r, int axis, float low, float high) const;
   [[nodiscard]] Plane bestPlane(const BvhSegment& segment) const;
 

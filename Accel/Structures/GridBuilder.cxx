@@ -131,7 +131,7 @@ double leastReferences(const Surface& surface, const std::array<int, 3>& resolut
   for (const PrimitiveId id : surface.hittable())
   {
     double most = 1.0;
-    if (!surface.isQuadric(id))
+    if (surface.isTriangle(id))
     {
       const auto v = surface.vertices(id);
       Vec3 a = v[1] - v[0];

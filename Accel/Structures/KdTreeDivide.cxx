@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/KdTreeDivide.h"
 
+#include "Accel/Structures/BodyBoxOverlap.h"
 #include "Accel/Structures/KdTreeClip.h"
-#include "Accel/Structures/QuadricBoxOverlap.h"
 
 namespace lumitree
 {
@@ -22,12 +22,12 @@ KdSide sideOf(const KdReference& reference, const KdSplit& split)
 
 Box partOf(const Surface& surface, const KdReference& reference, const Box& cell)
 {
-  if (!surface.isQuadric(reference.id))
+  if (surface.isTriangle(reference.id))
   {
     return commonBox(clippedBounds(surface.vertices(reference.id), cell), reference.bounds);
   }
   const Box bounds = commonBox(cell, reference.bounds);
-  return !bounds.empty() && mayMeet(surface.quadric(reference.id), bounds) ? bounds : Box{};
+  return !bounds.empty() && mayMeet(surface, reference.id, bounds) ? bounds : Box{};
 }
 
 KdSides divideReferences(const Surface& surface, const Box& cell,

@@ -3,9 +3,8 @@
 #ifndef Lumitree_Accel_Structures_PrimitiveBoxOverlap_h
 #define Lumitree_Accel_Structures_PrimitiveBoxOverlap_h
 
-#include "Accel/Structures/QuadricBoxOverlap.h"
+#include "Accel/Structures/BodyBoxOverlap.h"
 #include "Accel/Structures/TriangleBoxOverlap.h"
-#include "Accel/Surface.h"
 
 #include <optional>
 
@@ -17,30 +16,35 @@ class PrimitiveBoxOverlap
 {
 public:
   PrimitiveBoxOverlap(const Surface& surface, PrimitiveId id)
+    : surface_(surface)
+    , id_(id)
   {
-    if (surface.isQuadric(id))
+    if (surface.isTriangle(id))
     {
-      this->quadric_ = &surface.quadric(id);
+      this->triangle_.emplace(surface.vertices(id));
     }
     else
     {
-      this->triangle_.emplace(surface.vertices(id));
+      this->clip_ = surface.box(id);
     }
   }
 
   /// The primitive's own bounds.
   [[nodiscard]] const Box& bounds() const
   {
-    return this->quadric_ ? this->quadric_->clip : this->triangle_->bounds();
+    return this->triangle_ ? this->triangle_->bounds() : this->clip_;
   }
 
   [[nodiscard]] bool mayMeet(const Box& box) const
   {
-    return this->quadric_ ? lumitree::mayMeet(*this->quadric_, box) : this->triangle_->mayMeet(box);
+    return this->triangle_ ? this->triangle_->mayMeet(box)
+                           : lumitree::mayMeet(this->surface_, this->id_, box);
   }
 
 private:
-  const Quadric* quadric_ = nullptr;
+  const Surface& surface_;
+  PrimitiveId id_;
+  Box clip_;
   std::optional<TriangleBoxOverlap> triangle_;
 };
 

@@ -125,12 +125,14 @@ struct Located
   std::vector<vtkSmartPointer<vtkDataSet>> leaves;
 };
 
-/// A surface numbers its quadrics after its triangles.
+/// A surface numbers its quadrics after its triangles, and its implicits last.
 std::vector<InputLeaf> sortedLeavesOf(vtkDataObject* input)
 {
   std::vector<InputLeaf> leaves = leavesOf(input);
-  std::stable_partition(
-    leaves.begin(), leaves.end(), [](const InputLeaf& leaf) { return !holdsQuadrics(leaf.data); });
+  const auto kind = [](const InputLeaf& leaf)
+  { return holdsImplicit(leaf.data) ? 2 : (holdsQuadrics(leaf.data) ? 1 : 0); };
+  std::stable_sort(leaves.begin(), leaves.end(),
+    [&](const InputLeaf& a, const InputLeaf& b) { return kind(a) < kind(b); });
   return leaves;
 }
 
@@ -231,8 +233,11 @@ Located locateEverywhere(
       {
         parts.push_back(unpack(vtkPolyData::SafeDownCast(one.object), one.process));
       }
-      std::stable_partition(parts.begin(), parts.end(),
-        [](const SurfacePart& part) { return part.triangles.quadrics.empty(); });
+      const auto kind = [](const SurfacePart& part) {
+        return !part.triangles.implicits.empty() ? 2 : (!part.triangles.quadrics.empty() ? 1 : 0);
+      };
+      std::stable_sort(parts.begin(), parts.end(),
+        [&](const SurfacePart& a, const SurfacePart& b) { return kind(a) < kind(b); });
       surface = std::make_shared<SharedSurface>(std::move(parts), true, threads);
     });
   const long long gathering = Cache::instance().nextGathering(controller);

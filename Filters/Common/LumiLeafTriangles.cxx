@@ -120,18 +120,27 @@ void takeTriangles(vtkPolyData* data, int threads, LeafTriangles& result)
   }
 }
 
-/// Quadrics whose vertex is a ghost do not occlude either.
-void takeQuadrics(vtkDataSet* leaf, const CellSelection& selection, LeafTriangles& result)
+/// Bodies whose vertex is a ghost do not occlude either.
+void takeBodies(vtkDataSet* leaf, const CellSelection& selection, LeafTriangles& result)
 {
-  const std::vector<Quadric> all = readQuadrics(leaf);
-  for (std::size_t q = 0; q < all.size(); ++q)
+  const Bodies all = readBodies(leaf);
+  const std::size_t count = all.implicit ? 1 : all.quadrics.size();
+  for (std::size_t b = 0; b < count; ++b)
   {
-    const auto cell = static_cast<vtkIdType>(q);
-    if (selection[cell] == CellState::Occludes)
+    const auto cell = static_cast<vtkIdType>(b);
+    if (selection[cell] != CellState::Occludes)
     {
-      result.quadrics.push_back(all[q]);
-      result.cells.push_back(cell);
+      continue;
     }
+    if (all.implicit)
+    {
+      result.implicits.push_back(*all.implicit);
+    }
+    else
+    {
+      result.quadrics.push_back(all.quadrics[b]);
+    }
+    result.cells.push_back(cell);
   }
 }
 
@@ -145,7 +154,7 @@ LeafTriangles trianglesOf(vtkDataSet* leaf, int threads)
   {
     result.hiddenCells = selection.hidden;
     result.duplicateCells = selection.duplicate;
-    takeQuadrics(leaf, selection, result);
+    takeBodies(leaf, selection, result);
     return result;
   }
   const ExtractedSurface surface = extractSurface(leaf, selection);

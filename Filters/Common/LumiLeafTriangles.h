@@ -15,12 +15,13 @@
 namespace lumitree::filters
 {
 
-/// A leaf as triangles, ordered by (cell, sub-triangle), or as quadrics: never both.
+/// A leaf as triangles, ordered by (cell, sub-triangle), as quadrics, or as implicits.
 struct LeafTriangles
 {
   PointArray points;
   std::vector<Triangle> triangles; ///< indices into points
   std::vector<Quadric> quadrics;
+  std::vector<Implicit> implicits;
   std::vector<std::int64_t> cells;          ///< one per primitive: its cell in the leaf
   vtkSmartPointer<vtkIdTypeArray> pointIds; ///< of each point in the leaf; null: the same
   std::uint64_t hiddenCells = 0;
@@ -28,7 +29,7 @@ struct LeafTriangles
   std::uint64_t passedOver = 0;
 };
 
-/// Throws std::invalid_argument for what readQuadrics refuses, cells that name points that do not
+/// Throws std::invalid_argument for what readBodies refuses, cells that name points that do not
 /// exist and for more than 2^32 − 2 points or triangles.
 [[nodiscard]] LeafTriangles trianglesOf(vtkDataSet* leaf, int threads = 0);
 

@@ -79,7 +79,8 @@ void addPolyData(GeometryKey& key, vtkPolyData* data)
   addArray(key, data->GetPointGhostArray());
   if (holdsQuadrics(data))
   {
-    for (const char* name : { quadricFormName, quadricBoxName, quadricCutsName, quadricBoundName })
+    for (const char* name : { quadricFormName, quadricBoxName, quadricCutsName, quadricBoundName,
+           implicitStepsName, implicitFormsName, implicitSuperquadricsName, implicitBoxName })
     {
       addArray(key, vtkDataArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name)));
     }

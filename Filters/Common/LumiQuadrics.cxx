@@ -20,25 +20,9 @@ namespace lumitree::filters
 namespace
 {
 
-constexpr int schema = 1;
-
-constexpr int formSize = 14; // centre, coefficients, residue
-
-void put(const QuadricForm& form, double* tuple)
-{
-  std::copy(form.centre.begin(), form.centre.end(), tuple);
-  std::copy(form.coefficients.begin(), form.coefficients.end(), tuple + 3);
-  tuple[13] = form.residue;
-}
-
-QuadricForm formOf(const double* tuple)
-{
-  QuadricForm form;
-  std::copy(tuple, tuple + 3, form.centre.begin());
-  std::copy(tuple + 3, tuple + 13, form.coefficients.begin());
-  form.residue = tuple[13];
-  return form;
-}
+/// Of quadrics alone, and of what also has a tree or is an implicit.
+constexpr int plainSchema = 1;
+constexpr int treeSchema = 2;
 
 vtkDataArray* arrayOf(vtkFieldData* fields, const char* name, int components, vtkIdType tuples)
 {
@@ -69,20 +53,20 @@ bool showsQuadricsOnly(vtkPolyData* data, vtkIdType quadrics)
   return all;
 }
 
-/// Cell q must be the vertex q, at the centre of quadric q.
-void checkCells(vtkPolyData* data, const std::vector<Quadric>& quadrics)
+/// Cell q must be the vertex q, at the centre of body q.
+void checkCells(vtkPolyData* data, const std::vector<Vec3>& centres)
 {
-  const auto known = static_cast<vtkIdType>(quadrics.size());
+  const auto known = static_cast<vtkIdType>(centres.size());
   bool kept = data && data->GetNumberOfVerts() == known && data->GetNumberOfPoints() >= known &&
     showsQuadricsOnly(data, known);
   const vtkNew<vtkIdList> ids;
-  for (std::size_t q = 0; kept && q < quadrics.size(); ++q)
+  for (std::size_t q = 0; kept && q < centres.size(); ++q)
   {
     const auto id = static_cast<vtkIdType>(q);
     data->GetVerts()->GetCellAtId(id, ids);
     Vec3 at;
     data->GetPoint(id, at.data());
-    const Vec3& centre = quadrics[q].form.centre;
+    const Vec3& centre = centres[q];
     kept = ids->GetNumberOfIds() == 1 && ids->GetId(0) == id;
     for (int k = 0; kept && k < 3; ++k)
     {
@@ -97,26 +81,12 @@ void checkCells(vtkPolyData* data, const std::vector<Quadric>& quadrics)
   }
 }
 
-} // namespace
-
-bool holdsQuadrics(vtkDataSet* data)
+std::vector<Quadric> readQuadrics(vtkFieldData* fields)
 {
-  return data && data->GetFieldData() && data->GetFieldData()->HasArray(quadricSchemaName);
-}
-
-std::vector<Quadric> readQuadrics(vtkDataSet* data)
-{
-  vtkFieldData* fields = data->GetFieldData();
-  vtkDataArray* version = vtkDataArray::SafeDownCast(fields->GetAbstractArray(quadricSchemaName));
-  if (!version || version->GetNumberOfValues() != 1 || version->GetComponent(0, 0) != schema)
-  {
-    throw std::invalid_argument("quadrics of a schema that is not 1");
-  }
   // Empty arrays are not always written to files.
   std::vector<Quadric> quadrics;
   if (!fields->HasArray(quadricFormName))
   {
-    checkCells(vtkPolyData::SafeDownCast(data), quadrics);
     return quadrics;
   }
   vtkDataArray* forms = arrayOf(fields, quadricFormName, formSize, -1);
@@ -143,8 +113,77 @@ std::vector<Quadric> readQuadrics(vtkDataSet* data)
       q.cuts[c] = { { cut[0], cut[1], cut[2] }, { cut[3], cut[4], cut[5] } };
     }
   }
-  checkCells(vtkPolyData::SafeDownCast(data), quadrics);
   return quadrics;
+}
+
+} // namespace
+
+bool holdsQuadrics(vtkDataSet* data)
+{
+  return data && data->GetFieldData() && data->GetFieldData()->HasArray(quadricSchemaName);
+}
+
+void putForm(const QuadricForm& form, double* tuple)
+{
+  std::copy(form.centre.begin(), form.centre.end(), tuple);
+  std::copy(form.coefficients.begin(), form.coefficients.end(), tuple + 3);
+  tuple[13] = form.residue;
+}
+
+QuadricForm formOf(const double* tuple)
+{
+  QuadricForm form;
+  std::copy(tuple, tuple + 3, form.centre.begin());
+  std::copy(tuple + 3, tuple + 13, form.coefficients.begin());
+  form.residue = tuple[13];
+  return form;
+}
+
+Bodies readBodies(vtkDataSet* data)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  vtkDataArray* version = vtkDataArray::SafeDownCast(fields->GetAbstractArray(quadricSchemaName));
+  const double known =
+    version && version->GetNumberOfValues() == 1 ? version->GetComponent(0, 0) : 0.0;
+  if (known != plainSchema && known != treeSchema)
+  {
+    throw std::invalid_argument("quadrics of a schema that is neither 1 nor 2");
+  }
+  Bodies bodies;
+  if (known == treeSchema)
+  {
+    bodies.implicit = readImplicit(fields);
+  }
+  std::vector<Vec3> centres;
+  if (bodies.implicit)
+  {
+    centres.push_back(centreOf(*bodies.implicit));
+  }
+  else
+  {
+    bodies.quadrics = readQuadrics(fields);
+    const auto tree = known == treeSchema ? readTree(fields) : nullptr;
+    for (Quadric& quadric : bodies.quadrics)
+    {
+      quadric.tree = tree;
+      centres.push_back(quadric.form.centre);
+    }
+  }
+  checkCells(vtkPolyData::SafeDownCast(data), centres);
+  return bodies;
+}
+
+Vec3 centreOf(const Implicit& implicit)
+{
+  return implicit.clip.centre();
+}
+
+void writeSchema(bool plain, vtkPolyData* data)
+{
+  const vtkNew<vtkIntArray> version;
+  version->SetName(quadricSchemaName);
+  version->InsertNextValue(plain ? plainSchema : treeSchema);
+  data->GetFieldData()->AddArray(version);
 }
 
 void writeQuadrics(const std::vector<Quadric>& quadrics, vtkPolyData* data)
@@ -160,18 +199,20 @@ void writeQuadrics(const std::vector<Quadric>& quadrics, vtkPolyData* data)
     fields->AddArray(array);
     return array->GetPointer(0);
   };
-  const vtkNew<vtkIntArray> version;
-  version->SetName(quadricSchemaName);
-  version->InsertNextValue(schema);
-  fields->AddArray(version);
+  const bool plain = quadrics.empty() || !quadrics.front().tree;
+  writeSchema(plain, data);
+  if (!plain)
+  {
+    writeTree(*quadrics.front().tree, fields);
+  }
   double* form = add(quadricFormName, formSize);
   double* box = add(quadricBoxName, 6);
   double* cuts = add(quadricCutsName, 12);
   double* bound = add(quadricBoundName, formSize);
   for (const Quadric& q : quadrics)
   {
-    put(q.form, form);
-    put(q.bound, bound);
+    putForm(q.form, form);
+    putForm(q.bound, bound);
     for (int k = 0; k < 3; ++k)
     {
       box[2 * k] = q.clip.lower[k];
@@ -198,6 +239,22 @@ vtkIdType quadricOf(vtkDataSet* data, vtkIdType id, bool point)
   return ids && id >= 0 && id < ids->GetNumberOfTuples()
     ? static_cast<vtkIdType>(ids->GetComponent(id, 0))
     : -1;
+}
+
+void writeImplicitBody(const Implicit& implicit, const std::shared_ptr<const ImplicitTree>& tree,
+  vtkImplicitFunction* function, vtkPolyData* data)
+{
+  writeSchema(false, data);
+  if (tree)
+  {
+    writeTree(*tree, data->GetFieldData());
+  }
+  writeImplicit(implicit, tree ? nullptr : function, data->GetFieldData());
+}
+
+bool holdsImplicit(vtkDataSet* data)
+{
+  return holdsQuadrics(data) && data->GetFieldData()->HasArray(implicitBoxName);
 }
 
 } // namespace lumitree::filters

@@ -109,12 +109,13 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int 
   if (std::max(points, primitives) >= std::numeric_limits<std::uint32_t>::max())
   {
     throw std::invalid_argument(
-      "more than 2^32 - 2 points, or triangles and quadrics, in all datasets together");
+      "more than 2^32 - 2 points, or triangles and bodies, in all datasets together");
   }
 
   PointArray joinedPoints = join(parts, points);
   std::vector<Triangle> all;
   std::vector<Quadric> quadrics;
+  std::vector<Implicit> implicits;
   SourceMap sources;
   if (parts.size() != 1)
   {
@@ -141,6 +142,7 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int 
 
     firstPrimitive += static_cast<PrimitiveId>(own.cells.size());
     quadrics.insert(quadrics.end(), own.quadrics.begin(), own.quadrics.end());
+    implicits.insert(implicits.end(), own.implicits.begin(), own.implicits.end());
     if (parts.size() == 1)
     {
       all = std::move(own.triangles);
@@ -165,8 +167,8 @@ SharedSurface::SharedSurface(std::vector<SurfacePart> parts, bool gathered, int 
     sources.cells = {};
   }
 
-  this->input_.surface = std::make_shared<const Surface>(
-    std::move(joinedPoints), std::move(all), std::move(quadrics), std::move(sources), threads);
+  this->input_.surface = std::make_shared<const Surface>(std::move(joinedPoints), std::move(all),
+    std::move(quadrics), std::move(implicits), std::move(sources), threads);
   index->surface = this->input_.surface;
   this->index_ = std::move(index);
 }

@@ -17,7 +17,7 @@ void fill(const SurfaceIndex& index, std::size_t leaf, PointTable& table)
   {
     for (PrimitiveId primitive = first; primitive < end; ++primitive)
     {
-      if (index.surface->isQuadric(primitive))
+      if (!index.surface->isTriangle(primitive))
       {
         // Vertex cell q uses point q.
         visit(static_cast<std::size_t>(index.surface->source(primitive).cell), primitive);

@@ -63,7 +63,7 @@ std::optional<std::size_t> SurfaceInput::findLeaf(std::int64_t compositeIndex, i
 
 vtkIdType SurfaceInput::leafCellId(PrimitiveId primitive) const
 {
-  return this->index->gathered && !this->surface->isQuadric(primitive)
+  return this->index->gathered && this->surface->isTriangle(primitive)
     ? static_cast<vtkIdType>(primitive - this->firstPrimitive[this->leafOf(primitive)])
     : static_cast<vtkIdType>(this->surface->source(primitive).cell);
 }
@@ -72,7 +72,7 @@ std::array<vtkIdType, 3> SurfaceInput::leafPointIds(PrimitiveId primitive) const
 {
   const std::size_t leaf = this->leafOf(primitive);
   std::array<vtkIdType, 3> ids{ -1, -1, -1 };
-  if (this->surface->isQuadric(primitive))
+  if (!this->surface->isTriangle(primitive))
   {
     ids[0] = this->leafCellId(primitive);
     return ids;

@@ -85,7 +85,7 @@ struct vtkLumiSolidAngle::Internals
     std::vector<lumitree::EmittingPolygon> polygons;
     for (const lumitree::PrimitiveId id : surface.hittable())
     {
-      if (surface.isQuadric(id))
+      if (!surface.isTriangle(id))
       {
         continue;
       }

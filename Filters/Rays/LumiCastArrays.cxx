@@ -211,6 +211,8 @@ void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
   int* process = options.processIds ? addArray<vtkIntArray>(data, "ProcessId", total) : nullptr;
   double* uv = addArray<vtkDoubleArray>(data, "UV", total, 2);
   double* normal = addArray<vtkDoubleArray>(data, "Normals", total, 3);
+  int* flags =
+    surface.implicitCount() > 0 ? addArray<vtkIntArray>(data, "HitFlags", total) : nullptr;
 
   const auto place = [&](const Ray& ray, const Hit& hit, vtkIdType i)
   {
@@ -223,6 +225,10 @@ void makeHits(const Cast& cast, const HitLayout& layout, const RayBatch& rays,
     composite[i] = static_cast<int>(source.composite);
     uv[2 * i] = hit.u;
     uv[2 * i + 1] = hit.v;
+    if (flags)
+    {
+      flags[i] = static_cast<int>(hit.flags);
+    }
     if (process)
     {
       process[i] = input.leaves[input.leafOf(hit.primitive)].process;

@@ -113,7 +113,7 @@ std::vector<PrimitiveId> hittableTriangles(const Surface& surface)
 {
   std::vector<PrimitiveId> triangles;
   std::copy_if(surface.hittable().begin(), surface.hittable().end(), std::back_inserter(triangles),
-    [&](PrimitiveId id) { return !surface.isQuadric(id); });
+    [&](PrimitiveId id) { return surface.isTriangle(id); });
   return triangles;
 }
 

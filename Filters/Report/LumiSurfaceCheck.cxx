@@ -299,7 +299,7 @@ private:
     double twice = 0.0;
     for (const PrimitiveId i : this->surface_.hittable())
     {
-      if (this->surface_.isQuadric(i))
+      if (!this->surface_.isTriangle(i))
       {
         continue;
       }

@@ -101,9 +101,9 @@ int vtkLumiSurfaceReport::RequestData(
   try
   {
     const lumitree::Surface& surface = *this->Impl->Input->surface;
-    if (surface.quadricCount() > 0)
+    if (surface.bodyCount() > 0)
     {
-      vtkWarningMacro(<< surface.quadricCount() << " bodies that are no triangles are left out.");
+      vtkWarningMacro(<< surface.bodyCount() << " bodies that are no triangles are left out.");
     }
     filters::Job job(this, 0.1, 0.9);
     const filters::SurfaceCheck check = filters::checkSurface(

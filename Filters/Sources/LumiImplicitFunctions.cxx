@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LumiImplicitFunctions.h"
 
+#include "LumiFunctionTree.h"
+#include "LumiInterpolation.h"
+
 #include "vtkBox.h"
 #include "vtkCylinder.h"
 #include "vtkImplicitFunction.h"
@@ -21,9 +24,6 @@ namespace lumitree::filters
 namespace
 {
 
-/// How far a function of second degree may be from its own values, in parts of the largest.
-constexpr double tolerance = 1e-10;
-
 Vec3 vector(const double* x)
 {
   return { x[0], x[1], x[2] };
@@ -38,15 +38,6 @@ Box common(const Box& a, const Box& b)
     box.upper[k] = std::min(a.upper[k], b.upper[k]);
   }
   return box;
-}
-
-/// What is of second degree everywhere. A function that only happens to be so at the points tried
-/// must not be taken for one.
-bool isQuadric(vtkImplicitFunction* function)
-{
-  const std::string name = function->GetClassName();
-  return name == "vtkSphere" || name == "vtkPlane" || name == "vtkCylinder" || name == "vtkCone" ||
-    name == "vtkQuadric" || name == "vtkPVPlane" || name == "vtkPVCylinder";
 }
 
 /// The box in the coordinates before its transform; nothing where its sides turn.
@@ -139,102 +130,36 @@ std::vector<Quadric> byOwnNumbers(vtkImplicitFunction* function, const Box& box)
   return {};
 }
 
-/// The form of second degree with the function's values in ten points around the middle of a box.
-class Interpolation
-{
-public:
-  Interpolation(vtkImplicitFunction* function, const Box& box)
-    : function_(function)
-    , box_(box)
-    , centre_(box.centre())
-  {
-    const double size = 0.5 * box.size()[box.longestAxis()];
-    // A power of two: no coefficient is rounded by it.
-    this->step_ = size > 0.0 ? std::exp2(std::floor(std::log2(size))) : 1.0;
-    const double here = this->at({ 0, 0, 0 });
-    const double h = this->step_;
-    Vec3 ahead;
-    this->form.centre = this->centre_;
-    auto& a = this->form.coefficients;
-    for (int k = 0; k < 3; ++k)
-    {
-      Vec3 direction = { 0, 0, 0 };
-      direction[k] = 1.0;
-      ahead[k] = this->at(direction);
-      const double behind = this->at(-1.0 * direction);
-      a[k] = ((ahead[k] - here) + (behind - here)) / 2 / (h * h);
-      a[6 + k] = (ahead[k] - behind) / 2 / h;
-    }
-    a[9] = here;
-    for (int k = 0; k < 3; ++k)
-    {
-      const int next = (k + 1) % 3;
-      Vec3 direction = { 0, 0, 0 };
-      direction[k] = direction[next] = 1.0;
-      const double mixed = ((this->at(direction) - ahead[k]) - (ahead[next] - here)) / (h * h);
-      a[3 + k] = mixed;
-    }
-  }
-
-  /// Whether the form has the function's values elsewhere, too.
-  [[nodiscard]] bool fits() const
-  {
-    double largest = 0.0;
-    double worst = 0.0;
-    constexpr int n = 6; // positions an axis
-    for (int i = 0; i < n * n * n; ++i)
-    {
-      const int index[3] = { i % n, i / n % n, i / (n * n) };
-      Vec3 x;
-      for (int k = 0; k < 3; ++k)
-      {
-        const double share = static_cast<double>(index[k]) / (n - 1);
-        x[k] = (1.0 - share) * this->box_.lower[k] + share * this->box_.upper[k];
-      }
-      const double expected = valueAt(this->form, x);
-      const double value = this->function_->FunctionValue(x.data());
-      largest = std::max(largest, std::fabs(value));
-      const double error = std::fabs(value - expected);
-      worst = error > worst || std::isnan(error) ? error : worst;
-    }
-    return worst <= tolerance * largest;
-  }
-
-  QuadricForm form;
-
-private:
-  [[nodiscard]] double at(const Vec3& direction) const
-  {
-    Vec3 x = this->centre_ + this->step_ * direction;
-    return this->function_->FunctionValue(x.data());
-  }
-
-  vtkImplicitFunction* function_;
-  Box box_;
-  Vec3 centre_;
-  double step_ = 1.0;
-};
-
 } // namespace
 
-std::vector<Quadric> quadricsOf(vtkImplicitFunction* function, const Box& box)
+FunctionBodies bodiesOf(vtkImplicitFunction* function, const Box& box, double step)
 {
-  std::vector<Quadric> exact = byOwnNumbers(function, box);
-  if (!exact.empty())
+  FunctionBodies bodies;
+  bodies.quadrics = byOwnNumbers(function, box);
+  if (!bodies.quadrics.empty())
   {
-    return exact;
+    return bodies;
   }
-  if (isQuadric(function))
+  if (isOfSecondDegree(function->GetClassName()))
   {
-    const Interpolation interpolation(function, box);
+    const Interpolation interpolation(
+      [&](const Vec3& x) { return function->FunctionValue(x.data()); }, box);
     if (interpolation.fits())
     {
-      return { Quadric::inBox(interpolation.form, box) };
+      bodies.quadrics = { Quadric::inBox(interpolation.form, box) };
+      return bodies;
     }
   }
-  throw std::invalid_argument(std::string("a ") + function->GetClassName() +
-    (function->GetTransform() ? " with this transform" : "") +
-    " cannot be met exactly; contour it, and give the mesh");
+  bodies.tree = treeOf(function, box);
+  if (bodies.tree && bodies.tree->isSignOfForms())
+  {
+    bodies.quadrics = Quadric::zerosOf(bodies.tree, box);
+    return bodies;
+  }
+  bodies.guarantee = bodies.tree ? Guarantee::Intervals : Guarantee::Sampled;
+  bodies.implicit =
+    Implicit{ bodies.tree ? functionOf(bodies.tree) : sampledFunction(function), box, step };
+  return bodies;
 }
 
 } // namespace lumitree::filters

@@ -5,8 +5,12 @@
 
 #include "vtkLumiABI.h"
 
+#include "LumiImplicitData.h"
+
 #include "Accel/Quadric.h"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -16,12 +20,19 @@ VTK_ABI_NAMESPACE_END
 namespace lumitree::filters
 {
 
-/// The part of a function's zero surface in a closed box. vtkSphere, vtkPlane, vtkCylinder and
-/// vtkQuadric without a transform by their own numbers; vtkBox as its six sides, where a transform
-/// does not turn them; vtkCone, and the former under a linear transform, by their values at ten
-/// points, to rounding. ParaView's subclasses count as their bases. Throws std::invalid_argument
-/// for all others, with the name of the class: such a surface could only be sampled.
-[[nodiscard]] std::vector<Quadric> quadricsOf(vtkImplicitFunction* function, const Box& box);
+/// The surface of a function in a box.
+struct FunctionBodies
+{
+  std::vector<Quadric> quadrics; ///< or
+  std::optional<Implicit> implicit;
+  std::shared_ptr<const ImplicitTree> tree; ///< of the implicit, unless it is sampled
+  Guarantee guarantee = Guarantee::Exact;
+};
+
+/// As quadrics where it is made of such, by intervals where it is made of superquadrics as well,
+/// else to be sampled at the step (0: 1/256 of the box's diagonal). Throws std::invalid_argument
+/// for a boolean of nothing.
+[[nodiscard]] FunctionBodies bodiesOf(vtkImplicitFunction* function, const Box& box, double step);
 
 } // namespace lumitree::filters
 #endif

@@ -9,14 +9,18 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lumitree::filters
 {
@@ -37,7 +41,7 @@ public:
 
   void make(const QuadricSet& bodies, vtkDataSet* input)
   {
-    const auto n = static_cast<vtkIdType>(bodies.quadrics.size());
+    const auto n = static_cast<vtkIdType>(bodies.implicit ? 1 : bodies.quadrics.size());
     this->input_ = input;
     this->bodies_ = &bodies;
     if (input)
@@ -46,12 +50,24 @@ public:
     }
     for (vtkIdType q = 0; q < n; ++q)
     {
-      const vtkIdType point = this->addPoint(this->quadric(q).form.centre, q, { 0, 0, 0 });
+      const Vec3 at = bodies.implicit ? centreOf(*bodies.implicit) : this->quadric(q).form.centre;
+      const vtkIdType point = this->addPoint(at, q, { 0, 0, 0 });
       this->verts_->InsertNextCell(1, &point);
     }
-    for (vtkIdType q = 0; q < n; ++q)
+    if (bodies.implicit)
     {
-      this->addPreview(q);
+      this->addShown(*bodies.implicit->function, bodies.implicit->clip);
+    }
+    else if (n > 0 && this->quadric(0).tree)
+    {
+      this->addShown(*functionOf(this->quadric(0).tree), this->quadric(0).clip);
+    }
+    else
+    {
+      for (vtkIdType q = 0; q < n; ++q)
+      {
+        this->addPreview(q);
+      }
     }
     this->output_->SetPoints(this->points_);
     this->output_->SetVerts(this->verts_);
@@ -70,7 +86,21 @@ public:
     this->output_->GetCellData()->AddArray(cellIds);
     this->output_->GetPointData()->AddArray(this->ids_);
     this->output_->GetPointData()->SetNormals(this->normals_);
-    writeQuadrics(bodies.quadrics, this->output_);
+    if (bodies.implicit)
+    {
+      writeImplicitBody(*bodies.implicit, bodies.tree, bodies.function, this->output_);
+    }
+    else
+    {
+      writeQuadrics(bodies.quadrics, this->output_);
+    }
+    if (bodies.guarantee)
+    {
+      const vtkNew<vtkIntArray> guarantee;
+      guarantee->SetName(implicitGuaranteeName);
+      guarantee->InsertNextValue(static_cast<int>(*bodies.guarantee));
+      this->output_->GetFieldData()->AddArray(guarantee);
+    }
   }
 
 private:
@@ -120,7 +150,34 @@ private:
       this->preview_ = previewOf(q, this->resolution_);
       this->shown_ = q;
     }
-    const Vec3 move = q.form.centre - this->shown_.form.centre;
+    this->append(q.form.centre - this->shown_.form.centre, [id](const Vec3&) { return id; });
+  }
+
+  /// One preview of a whole tree or implicit; each part says which quadric it shows.
+  void addShown(const ImplicitFunction& function, const Box& clip)
+  {
+    this->preview_ = previewOf(function, clip, this->resolution_);
+    this->append({ 0, 0, 0 },
+      [&](const Vec3& x)
+      {
+        std::size_t nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t q = 0; q < this->bodies_->quadrics.size(); ++q)
+        {
+          const QuadricForm& form = this->bodies_->quadrics[q].form;
+          const double distance =
+            std::fabs(valueAt(form, x)) / std::max(length(gradientAt(form, x)), 1e-300);
+          nearest = distance < least ? q : nearest;
+          least = std::min(least, distance);
+        }
+        return static_cast<vtkIdType>(nearest);
+      });
+  }
+
+  /// The preview, moved; whose: the quadric shown at a point of it.
+  template <class F>
+  void append(const Vec3& move, F whose)
+  {
     const vtkIdType first = this->points_->GetNumberOfPoints();
     vtkDataArray* const normals = this->preview_->GetPointData()->GetNormals();
     for (vtkIdType i = 0; i < this->preview_->GetNumberOfPoints(); ++i)
@@ -129,7 +186,7 @@ private:
       Vec3 n;
       this->preview_->GetPoint(i, x.data());
       normals->GetTuple(i, n.data());
-      this->addPoint(x + move, id, n);
+      this->addPoint(x + move, whose(x), n);
     }
     vtkCellArray* const polys = this->preview_->GetPolys();
     const vtkNew<vtkIdList> ids;
@@ -141,7 +198,7 @@ private:
         ids->SetId(k, ids->GetId(k) + first);
       }
       this->polys_->InsertNextCell(ids);
-      this->polyIds_.push_back(id);
+      this->polyIds_.push_back(this->ids_->GetValue(ids->GetId(0)));
     }
   }
 

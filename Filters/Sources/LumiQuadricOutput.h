@@ -6,12 +6,17 @@
 #include "vtkLumiABI.h"
 #include "vtkType.h"
 
+#include "LumiImplicitData.h"
+
 #include "Accel/Quadric.h"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+class vtkImplicitFunction;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
@@ -23,6 +28,12 @@ struct QuadricSet
 {
   std::vector<Quadric> quadrics;
   std::vector<vtkIdType> points;
+  /// Or an implicit, of a tree or of a function that is sampled.
+  std::optional<Implicit> implicit;
+  std::shared_ptr<const ImplicitTree> tree;
+  vtkImplicitFunction* function = nullptr;
+  /// Of the shape Function, what is promised of it.
+  std::optional<Guarantee> guarantee;
 };
 
 /// Quadrics as pipeline data (LumiQuadrics.h): a vertex cell each, then the polygons that show

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lumitree::filters
 {
@@ -29,8 +30,9 @@ vtkSmartPointer<vtkDoubleArray> newArray(vtkIdType tuples, int components = 1)
   return array;
 }
 
-/// The zero contour of the form in a box.
-vtkSmartPointer<vtkPolyData> contour(const QuadricForm& form, const Box& box, int resolution)
+/// The zero contour of a function in a box.
+template <class F, class G>
+vtkSmartPointer<vtkPolyData> contour(F value, G gradient, const Box& box, int resolution)
 {
   const vtkNew<vtkImageData> image;
   const Vec3 size = box.size();
@@ -44,7 +46,9 @@ vtkSmartPointer<vtkPolyData> contour(const QuadricForm& form, const Box& box, in
   {
     Vec3 x;
     image->GetPoint(i, x.data());
-    values->SetValue(i, valueAt(form, x));
+    const double v = value(x);
+    // Nothing is shown where there is no number.
+    values->SetValue(i, std::isfinite(v) ? v : std::numeric_limits<float>::max());
     largest = std::max(largest, std::fabs(values->GetValue(i)));
   }
   // The contour filter compares with numbers near 1.
@@ -70,12 +74,12 @@ vtkSmartPointer<vtkPolyData> contour(const QuadricForm& form, const Box& box, in
     found->GetPoint(i, x.data());
     for (int step = 0; step < 2; ++step)
     {
-      const Vec3 g = gradientAt(form, x);
+      const Vec3 g = gradient(x);
       const double square = dot(g, g);
       if (square > 0.0)
       {
         const double reach = length(size) / resolution;
-        const double move = valueAt(form, x) / square;
+        const double move = value(x) / square;
         // Near an apex the gradient says nothing.
         x = std::fabs(move) * std::sqrt(square) <= reach ? x - move * g : x;
       }
@@ -109,8 +113,9 @@ vtkSmartPointer<vtkPolyData> clipped(vtkPolyData* data, F f)
   return result;
 }
 
-/// Winds every polygon so that the form grows on the side of its normal.
-void turn(const QuadricForm& form, vtkPolyData* data)
+/// Winds every polygon so that the function grows on the side of its normal.
+template <class G>
+void turn(G gradient, vtkPolyData* data)
 {
   const vtkNew<vtkCellArray> turned;
   const vtkNew<vtkIdList> ids;
@@ -125,7 +130,7 @@ void turn(const QuadricForm& form, vtkPolyData* data)
     }
     const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const Vec3 middle = (1.0 / 3) * (corner[0] + corner[1] + corner[2]);
-    if (dot(n, gradientAt(form, middle)) < 0.0)
+    if (dot(n, gradient(middle)) < 0.0)
     {
       std::reverse(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfIds());
     }
@@ -134,11 +139,9 @@ void turn(const QuadricForm& form, vtkPolyData* data)
   data->SetPolys(turned);
 }
 
-} // namespace
-
-vtkSmartPointer<vtkPolyData> previewOf(const Quadric& quadric, int resolution)
+/// The box to sample; false where there is nothing to show.
+bool usableBox(Box& box, int resolution)
 {
-  Box box = quadric.clip;
   bool usable = resolution > 0;
   for (int k = 0; k < 3; ++k)
   {
@@ -146,7 +149,7 @@ vtkSmartPointer<vtkPolyData> previewOf(const Quadric& quadric, int resolution)
   }
   if (!usable)
   {
-    return vtkSmartPointer<vtkPolyData>::New();
+    return false;
   }
   // A flat box has no inside to sample.
   const double least = 1e-6 * box.size()[box.longestAxis()];
@@ -158,7 +161,38 @@ vtkSmartPointer<vtkPolyData> previewOf(const Quadric& quadric, int resolution)
       box.upper[k] += least;
     }
   }
-  vtkSmartPointer<vtkPolyData> shown = contour(quadric.form, box, resolution);
+  return true;
+}
+
+template <class G>
+void addNormals(G gradient, vtkPolyData* shown)
+{
+  const auto normals = newArray(shown->GetNumberOfPoints(), 3);
+  normals->SetName("Normals");
+  for (vtkIdType i = 0; i < shown->GetNumberOfPoints(); ++i)
+  {
+    Vec3 x;
+    shown->GetPoint(i, x.data());
+    Vec3 g = gradient(x);
+    const double norm = length(g);
+    g = norm > 0.0 ? (1.0 / norm) * g : Vec3{ 0, 0, 0 };
+    normals->SetTuple(i, g.data());
+  }
+  shown->GetPointData()->SetNormals(normals);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> previewOf(const Quadric& quadric, int resolution)
+{
+  Box box = quadric.clip;
+  if (!usableBox(box, resolution))
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  const auto gradient = [&](const Vec3& x) { return gradientAt(quadric.form, x); };
+  vtkSmartPointer<vtkPolyData> shown =
+    contour([&](const Vec3& x) { return valueAt(quadric.form, x); }, gradient, box, resolution);
   for (const QuadricCut& cut : quadric.cuts)
   {
     if (cut.normal != Vec3{ 0, 0, 0 })
@@ -171,19 +205,23 @@ vtkSmartPointer<vtkPolyData> previewOf(const Quadric& quadric, int resolution)
   {
     shown = clipped(shown, [&](const Vec3& x) { return valueAt(quadric.bound, x); });
   }
-  turn(quadric.form, shown);
-  const auto normals = newArray(shown->GetNumberOfPoints(), 3);
-  normals->SetName("Normals");
-  for (vtkIdType i = 0; i < shown->GetNumberOfPoints(); ++i)
+  turn(gradient, shown);
+  addNormals(gradient, shown);
+  return shown;
+}
+
+vtkSmartPointer<vtkPolyData> previewOf(
+  const ImplicitFunction& function, const Box& clip, int resolution)
+{
+  Box box = clip;
+  if (!usableBox(box, resolution))
   {
-    Vec3 x;
-    shown->GetPoint(i, x.data());
-    Vec3 g = gradientAt(quadric.form, x);
-    const double norm = length(g);
-    g = norm > 0.0 ? (1.0 / norm) * g : Vec3{ 0, 0, 0 };
-    normals->SetTuple(i, g.data());
+    return vtkSmartPointer<vtkPolyData>::New();
   }
-  shown->GetPointData()->SetNormals(normals);
+  const auto gradient = [&](const Vec3& x) { return function.gradient(x); };
+  auto shown = contour([&](const Vec3& x) { return function.value(x); }, gradient, box, resolution);
+  turn(gradient, shown);
+  addNormals(gradient, shown);
   return shown;
 }
 

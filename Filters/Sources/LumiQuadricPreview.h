@@ -21,5 +21,9 @@ namespace lumitree::filters
 /// sampled.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> previewOf(const Quadric& quadric, int resolution);
 
+/// The same of where a function is 0 in a box. Functions without a change of sign show nothing.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> previewOf(
+  const ImplicitFunction& function, const Box& clip, int resolution);
+
 } // namespace lumitree::filters
 #endif

@@ -109,29 +109,47 @@ std::vector<Body> BodiesAt(vtkLumiImplicitSurface* self, const Place& place)
   }
 }
 
-std::vector<Body> BodiesInBounds(vtkLumiImplicitSurface* self)
+lumitree::filters::QuadricSet BodiesOfFunction(
+  vtkLumiImplicitSurface* self, const lumitree::Box& box)
+{
+  vtkImplicitFunction* const function = self->GetImplicitFunction();
+  if (!function)
+  {
+    throw std::invalid_argument("the shape Function needs an ImplicitFunction");
+  }
+  auto bodies = lumitree::filters::bodiesOf(function, box, self->GetStep());
+  lumitree::filters::QuadricSet set;
+  set.quadrics = std::move(bodies.quadrics);
+  set.implicit = bodies.implicit;
+  set.tree = bodies.tree;
+  set.function = function;
+  set.guarantee = bodies.guarantee;
+  return set;
+}
+
+lumitree::filters::QuadricSet BodiesInBounds(vtkLumiImplicitSurface* self)
 {
   const double* b = self->GetBounds();
   const lumitree::Box box = { { b[0], b[2], b[4] }, { b[1], b[3], b[5] } };
+  lumitree::filters::QuadricSet set;
   switch (self->GetShape())
   {
     case vtkLumiImplicitSurface::Plane:
-      return { Body::plane(Vector(self->GetCenter()), Vector(self->GetDirection()), box) };
+      set.quadrics = { Body::plane(Vector(self->GetCenter()), Vector(self->GetDirection()), box) };
+      return set;
     case vtkLumiImplicitSurface::Box:
-      return Body::sides(box);
+      set.quadrics = Body::sides(box);
+      return set;
     case vtkLumiImplicitSurface::Quadric:
     {
       lumitree::QuadricForm form;
       form.centre = Vector(self->GetCenter());
       std::copy_n(self->GetCoefficients(), 10, form.coefficients.begin());
-      return { Body::inBox(form, box) };
+      set.quadrics = { Body::inBox(form, box) };
+      return set;
     }
     default:
-      if (!self->GetImplicitFunction())
-      {
-        throw std::invalid_argument("the shape Function needs an ImplicitFunction");
-      }
-      return lumitree::filters::quadricsOf(self->GetImplicitFunction(), box);
+      return BodiesOfFunction(self, box);
   }
 }
 
@@ -251,7 +269,7 @@ int vtkLumiImplicitSurface::RequestData(
     }
     else
     {
-      set.quadrics = BodiesInBounds(this);
+      set = BodiesInBounds(this);
     }
     lumitree::filters::makeOutput(set, input, this->PreviewResolution, output);
   }
@@ -289,5 +307,6 @@ void vtkLumiImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusArray: " << (this->RadiusArray ? this->RadiusArray : "(none)") << "\n";
   os << indent << "DirectionArray: " << (this->DirectionArray ? this->DirectionArray : "(none)")
      << "\n";
+  os << indent << "Step: " << this->Step << "\n";
   os << indent << "PreviewResolution: " << this->PreviewResolution << "\n";
 }

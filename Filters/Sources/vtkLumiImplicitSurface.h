@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLumiImplicitSurface
- * @brief   spheres, cylinders, cones and other quadrics that rays hit as they are, without a mesh
+ * @brief   quadrics and other implicit surfaces that rays hit as they are, without a mesh
  *
  * The output is a vtkPolyData that every surface port of this library takes for the quadrics
  * themselves: their definition is in its field data, with a vertex cell for each and, behind these,
@@ -138,12 +138,26 @@ public:
 
   ///@{
   /**
-   * The function of the shape Function: vtkSphere, vtkPlane, vtkCylinder, vtkCone or vtkQuadric,
-   * also under a linear transform, or vtkBox that none turns. Others are an error: contour them,
-   * and give the mesh. Default none.
+   * The function of the shape Function; any. What is promised of its surface is in the output's
+   * field array ImplicitGuarantee:
+   * - 0, exact: vtkSphere, vtkPlane, vtkCylinder, vtkCone, vtkQuadric, vtkBox, vtkPlanes, and
+   *   vtkImplicitBoolean of such, also under linear transforms. They are made of quadrics.
+   * - 1, by intervals: vtkSuperquadric, and vtkImplicitBoolean that holds one. Sign changes are
+   *   isolated with certainty; hits where that was not possible say so (HitFlags).
+   * - 2, sampled: all others. Sign changes between samples Step apart, found one ray at a time.
+   * Default none.
    */
   virtual void SetImplicitFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetImplicitFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Length between samples along a ray, of functions that are sampled. 0: 1/256 of the diagonal of
+   * Bounds. At least 1e-6 of that diagonal. Default 0.
+   */
+  vtkSetMacro(Step, double);
+  vtkGetMacro(Step, double);
   ///@}
 
   ///@{
@@ -188,6 +202,7 @@ protected:
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   double Coefficients[10] = { 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0 };
   vtkSmartPointer<vtkImplicitFunction> ImplicitFunction;
+  double Step = 0.0;
   char* RadiusArray = nullptr;
   char* DirectionArray = nullptr;
   int PreviewResolution = 16;

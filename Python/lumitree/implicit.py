@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bodies of second degree that rays meet as they are."""
+"""Bodies that rays meet as they are, without a mesh."""
 
 from __future__ import annotations
 
@@ -27,6 +27,7 @@ def implicit(
     bounds: ArrayLike = (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0),
     coefficients: ArrayLike | None = None,
     function: vtkImplicitFunction | None = None,
+    step: float = 0.0,
     preview: int = 16,
 ) -> vtkPolyData:
     """Spheres, ellipsoids, cylinders, cones, paraboloids, discs, planes, boxes and other quadrics
@@ -42,11 +43,14 @@ def implicit(
     capped : whether cylinders and cones have their ends.
     bounds : x min, x max, y min, y max, z min, z max.
     coefficients : of a quadric, ten, in the order of vtkQuadric, about `center`.
-    function : a vtkSphere, vtkPlane, vtkCylinder, vtkCone, vtkQuadric or vtkBox.
+    function : any vtkImplicitFunction. Spheres, planes, cylinders, cones, quadrics, boxes and
+        vtkImplicitBoolean of such are exact, vtkSuperquadric (and booleans with one) goes by
+        intervals, all others are sampled along each ray: field array ``ImplicitGuarantee`` 0, 1, 2.
+    step : length between samples; 0 for 1/256 of the diagonal of `bounds`.
     preview : steps of the polygons that show a body and that rays do not see; 0 to 200.
 
     A body with a radius that is not above 0 is never hit. Raises ValueError for arguments of wrong
-    shapes and LumitreeError for a function that is none of these.
+    shapes and LumitreeError for a boolean of nothing.
     """
     kind = choose(Shape, shape, "shape")
     source = vtkLumiImplicitSurface()
@@ -54,6 +58,9 @@ def implicit(
     source.SetRadii(vector(radii, "radii"))
     source.SetHeight(float(height))
     source.SetCapped(bool(capped))
+    if not (np.isfinite(step) and step >= 0.0):
+        raise ValueError(f"step must be 0 or more, not {step}")
+    source.SetStep(float(step))
     source.SetPreviewResolution(in_range(preview, 0, 200, "preview"))
     box = floats(bounds, "bounds")
     if box.shape != (6,):

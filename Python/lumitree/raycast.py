@@ -50,10 +50,14 @@ class Hits:
     `uv`              (k, 2)   float64 nan   the same; barycentric, (1 - u - v) p0 + u p1 + v p2
     `normal`          (k, 3)   float64 nan   the same; unit length, by the triangle's winding
     `point`           (k, 3)   float   nan   the same; float64 if the rays or the mesh are
+    `flags`           (k,)     int32   0     the same, of implicits that are no quadrics
     `ray_id`          (m,)     int64         ``all``, ``ties``: the ray of each hit
     `offsets`         (n + 1,) int64         the same: ray i has hits offsets[i]:offsets[i + 1]
     `cost`            (n,)     int32         ``cost=True``: a dict, see `COST_ARRAYS`
     ================= ======== ======= ===== ===================================================
+
+    `flags` add up what is not certain about a hit: 1, whether an implicit is met there or nearly;
+    2, seen between two samples; 4, the order of the ray's hits. None where no surface is such.
 
     `statistics` are facts about all the rays, by the names of the table Statistics of
     vtkLumiRayCast: ``Rays``, ``Hits``, ``ExactTests`` (questions that floating point left open) and
@@ -93,6 +97,19 @@ class Hits:
     def point(self) -> np.ndarray | None:
         """Where the mesh was hit."""
         return self._rows(self.hits.GetPoints().GetData())
+
+    @cached_property
+    def flags(self) -> np.ndarray | None:
+        """What is not certain about hits, of surfaces with implicits; else None."""
+        of_hits = self.hits.GetPointData().GetArray("HitFlags")
+        if self.t is None or of_hits is None:
+            return None
+        rows = vtk_to_numpy(of_hits)
+        if len(rows) == len(self.t):
+            return rows
+        result = np.zeros(len(self.t), rows.dtype)
+        result[self.hit] = rows
+        return result
 
     def _rows(self, of_hits: vtkDataArray) -> np.ndarray | None:
         if self.t is None:
@@ -298,7 +315,8 @@ def inside(
     points : (n, 3) or (3,).
 
     The mesh is to be closed (see `surface_report`); its triangles need not share points, and may be
-    wound as they like. Of several closed meshes, or one that overlaps itself, a point is inside
+    wound as they like. Bodies of `implicit` may stand in for it or beside it, if they are closed and
+    not sampled. Of several closed meshes, or one that overlaps itself, a point is inside
     when an odd number of them holds it. A point on the surface is where the point moved up along x
     (then y, then z) by next to nothing is. Points with a coordinate that is not finite are outside,
     and a LumitreeWarning counts them. Other arguments and errors are those of `cast`.

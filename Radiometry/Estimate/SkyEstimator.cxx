@@ -82,7 +82,7 @@ SkyEstimator::SkyEstimator(const SkySource& sky, const EstimateScene& scene)
   , radiance_(linearRadiance(sky))
 {
   if (scene.occluders && scene.options.horizon && this->radiance_ && sky.groundRadiance() == 0.0 &&
-    scene.occluders->surface().quadricCount() == 0)
+    scene.occluders->surface().bodyCount() == 0)
   {
     this->skyline_.emplace(scene.occluders->surface(), sky.up());
     if (!this->skyline_->pays())

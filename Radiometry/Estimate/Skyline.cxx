@@ -61,8 +61,8 @@ Skyline::Skyline(const Surface& surface, const Vec3& up)
   this->axes_[0] = (1.0 / length(x)) * x;
   this->axes_[1] = cross(up, this->axes_[0]);
   this->axes_[2] = up;
-  // Quadrics have outlines that are no edges.
-  if (surface.hittable().size() > 4 * mostEdges || surface.quadricCount() > 0)
+  // Bodies have outlines that are no edges.
+  if (surface.hittable().size() > 4 * mostEdges || surface.bodyCount() > 0)
   {
     this->edges_.resize(mostEdges + 1);
     return;

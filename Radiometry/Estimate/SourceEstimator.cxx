@@ -118,7 +118,7 @@ RaySamplerOptions EstimateScene::sampling(double tolerance) const
   // Fast allows any answer, and whether anything is hit is known sooner without its parameter,
   // which only Fast computes at once.
   const bool sooner = this->options.precision == Precision::Fast && this->occluders &&
-    this->occluders->supports(Precision::Exact) && this->occluders->surface().quadricCount() == 0;
+    this->occluders->supports(Precision::Exact) && this->occluders->surface().bodyCount() == 0;
   result.precision = sooner ? Precision::Exact : this->options.precision;
   result.relativeTolerance = this->options.relativeTolerance;
   result.absoluteTolerance = tolerance;

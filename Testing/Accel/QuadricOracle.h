@@ -98,6 +98,33 @@ inline bool notAbove(const Long& x, const Long& scale)
   return x <= ldexp(scale, -1100);
 }
 
+/// The sign of a tree's value at a root.
+inline int treeSign(const Ray& ray, const ImplicitTree& tree, const Long& t)
+{
+  using Operation = ImplicitTree::Operation;
+  std::vector<int> stack;
+  for (const ImplicitTree::Step& step : tree.steps)
+  {
+    if (step.operation == Operation::Form)
+    {
+      const auto& form = tree.forms[static_cast<std::size_t>(step.index)];
+      const Long value = RationalQuadratic(ray, form).at(t);
+      stack.push_back(notAbove(abs(value), 1) ? 0 : (value > 0 ? 1 : -1));
+      continue;
+    }
+    const int last = stack.back();
+    if (step.operation == Operation::Negation || step.operation == Operation::Magnitude)
+    {
+      stack.back() = step.operation == Operation::Negation ? -last : abs(last);
+      continue;
+    }
+    stack.pop_back();
+    stack.back() = step.operation == Operation::Minimum ? std::min(stack.back(), last)
+                                                        : std::max(stack.back(), last);
+  }
+  return stack.back();
+}
+
 inline bool isInside(const Ray& ray, const Quadric& q, const Long& t)
 {
   const auto coordinate = [&](const Vec3& from, int k)
@@ -118,7 +145,8 @@ inline bool isInside(const Ray& ray, const Quadric& q, const Long& t)
     }
     in = in && notAbove(distance, one);
   }
-  return in && notAbove(RationalQuadratic(ray, q.bound).at(t), one);
+  in = in && notAbove(RationalQuadratic(ray, q.bound).at(t), one);
+  return in && (!q.tree || treeSign(ray, *q.tree, t) == 0);
 }
 
 /// Every hit of a ray, by (t, primitive).
@@ -128,7 +156,7 @@ inline std::vector<OracleHit> oracleHits(const Surface& surface, const Ray& ray)
   for (const PrimitiveId id : surface.hittable())
   {
     std::vector<Long> roots;
-    if (!surface.isQuadric(id))
+    if (surface.isTriangle(id))
     {
       const RationalCrossing x(ray, surface.vertices(id));
       if (x.inside)

@@ -464,11 +464,6 @@ TEST(Crossings, WhatOtherQueriesDoAsWell)
       EXPECT_THROW(tree->crossings(rays.batch(), counts.data(), with(precision)), UnsupportedQuery);
     }
   }
-  const auto ball = std::make_shared<const Surface>(
-    PointArray{}, std::vector<Triangle>{}, std::vector<Quadric>{ Quadric::sphere({ 0, 0, 0 }, 1) });
-  std::vector<std::uint32_t> none(rays.size());
-  EXPECT_THROW(
-    build(ball)->crossings(rays.batch(), none.data(), with(Precision::Exact)), UnsupportedQuery);
   if (Registry::instance().has(Structure::Embree))
   {
     std::vector<std::uint32_t> counts(rays.size());

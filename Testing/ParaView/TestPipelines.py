@@ -105,6 +105,7 @@ def bodies_without_a_mesh():
         if name == "Box":
             body.ImplicitFunction.Position = [-1, -2, -3]
             body.ImplicitFunction.Length = [2, 4, 6]
+            body.ImplicitFunction.Rotation = [0, 0, 20]
         found = fetch(RayCast(Input=body, Rays=rays[0], Query="All")).GetNumberOfPoints()
         assert found == count, (name, found)
 

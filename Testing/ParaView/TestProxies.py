@@ -50,7 +50,7 @@ OTHER_DEFAULT = {("LumiCameraRaysOfScene", "AutomaticCamera")}
 ELSEWHERE = {
     "LumiCameraRays": {"AutomaticCamera"},
     "LumiImplicitSurface": {"RadiusArray", "DirectionArray"},
-    "LumiImplicitSurfaceAtPoints": {"Bounds", "Coefficients", "ImplicitFunction"},
+    "LumiImplicitSurfaceAtPoints": {"Bounds", "Coefficients", "ImplicitFunction", "Step"},
 }
 
 

@@ -4,7 +4,13 @@
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonDataModel import vtkImplicitBoolean, vtkMultiBlockDataSet, vtkSphere
+from vtkmodules.vtkCommonDataModel import (
+    vtkImplicitBoolean,
+    vtkMultiBlockDataSet,
+    vtkPerlinNoise,
+    vtkSphere,
+    vtkSuperquadric,
+)
 
 import lumitree
 
@@ -78,6 +84,38 @@ def test_references_refuse():
             lumitree.cast(ball, (0, 0, -3), (0, 0, 1), structure=structure)
 
 
+def test_functions():
+    lens = vtkImplicitBoolean()
+    lens.SetOperationTypeToIntersection()
+    for x in (-0.25, 0.25):
+        ball = vtkSphere()
+        ball.SetCenter(x, 0, 0)
+        lens.AddFunction(ball)
+    body = lumitree.implicit("function", function=lens)
+    hits = lumitree.cast(body, (-2, 0, 0), (1, 0, 0), query="all", precision="exact")
+    assert hits.t.tolist() == [1.75, 2.25]
+    assert hits.flags is None
+    assert lumitree.inside(body, [(0, 0, 0), (0.3, 0, 0), (0, 0.4, 0)]).tolist() == [
+        True,
+        False,
+        True,
+    ]
+
+    round_one = vtkSuperquadric()
+    by_intervals = lumitree.implicit("function", function=round_one)
+    hits = lumitree.cast(by_intervals, (-2, 0, 0), (1, 0, 0), query="all", precision="exact")
+    assert np.allclose(hits.t, [1.5, 2.5], atol=1e-12) and hits.flags.tolist() == [0, 0]
+    assert lumitree.inside(by_intervals, [(0, 0, 0), (0.6, 0, 0)]).tolist() == [True, False]
+
+    noise = vtkPerlinNoise()
+    noise.SetFrequency(2, 2, 2)
+    sampled = lumitree.implicit("function", function=noise, step=0.01)
+    hits = lumitree.cast(sampled, (-2, 0.1, 0.2), (1, 0, 0), query="all", precision="exact")
+    assert hits.flags.tolist() == [2] * len(hits.t)
+    with pytest.raises(lumitree.LumitreeError, match="only sampled"):
+        lumitree.inside(sampled, (0, 0, 0))
+
+
 def test_wrong_arguments():
     for arguments in (
         {"shape": "cube"},
@@ -93,10 +131,8 @@ def test_wrong_arguments():
     ):
         with pytest.raises(ValueError):
             lumitree.implicit(**arguments)
-    both = vtkImplicitBoolean()
-    both.AddFunction(vtkSphere())
-    with pytest.raises(lumitree.LumitreeError, match="vtkImplicitBoolean"):
-        lumitree.implicit("function", function=both)
+    with pytest.raises(lumitree.LumitreeError, match="no functions"):
+        lumitree.implicit("function", function=vtkImplicitBoolean())
     with pytest.raises(lumitree.LumitreeError, match="ImplicitFunction"):
         lumitree.implicit("function")
     never = lumitree.implicit("sphere", radius=-1.0)

@@ -328,19 +328,19 @@ STRUCTURES = [
 
 QUADRICS = [
     mutant("A double root counts twice", "Quadrics",
-           "Accel/Exact/Quadratic.cxx", "return 1 + discriminant(*this).sign();",
-           "return discriminant(*this).sign() >= 0 ? 2 : 0;"),
+           "Accel/Exact/QuadraticFormulas.h", "return 1 + this->discriminant().sign();",
+           "return this->discriminant().sign() >= 0 ? 2 : 0;"),
     mutant("Of x + y sqrt(d) only x has a sign", "Quadrics",
-           "Accel/Exact/Quadratic.cxx", "return sx * (x * x - y * y * d).sign();", "return sx;"),
+           "Accel/Exact/QuadraticFormulas.h", "return sx * (x * x - y * y * d).sign();", "return sx;"),
     mutant("Numbers with bounds know no rounding", "Quadrics",
            "Accel/Kernel/Bounded.h", "roundoff = 0x1p-53", "roundoff = 0.0"),
     mutant("A discriminant's sign is taken as computed", "Quadrics",
            "Accel/Kernel/QuadricRoots.cxx", "const Bounded d = b * b - twice(twice(a * c));",
            "const Bounded d = Bounded((b * b - twice(twice(a * c))).value);"),
     mutant("Clip boxes of quadrics are open", "Quadrics",
-           "Accel/Exact/Quadratic.cxx",
-           "signAt(Quadratic::along(ray, k, quadric.clip.upper[k]), root) > 0",
-           "signAt(Quadratic::along(ray, k, quadric.clip.upper[k]), root) >= 0"),
+           "Accel/Exact/QuadraticFormulas.h",
+           "signAt(Along::along(ray, k, quadric.clip.upper), root) > 0",
+           "signAt(Along::along(ray, k, quadric.clip.upper), root) >= 0"),
 ]  # fmt: skip
 
 SAVED = [

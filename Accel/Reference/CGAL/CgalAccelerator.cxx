@@ -33,7 +33,7 @@ public:
     : Accelerator(std::move(surface), options)
     , precision_(precision)
   {
-    refuseQuadrics(this->surface(), "CGAL");
+    refuseBodies(this->surface(), "CGAL");
     const std::lock_guard<std::mutex> lock(cgalMutex());
     const FloatEnvironment environment;
     const auto start = std::chrono::steady_clock::now();

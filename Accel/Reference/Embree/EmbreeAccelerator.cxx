@@ -34,7 +34,7 @@ public:
     std::shared_ptr<const Surface> surface, const BuildOptions& options, JobControl* control)
     : Accelerator(std::move(surface), options)
   {
-    refuseQuadrics(this->surface(), "Embree");
+    refuseBodies(this->surface(), "Embree");
     const auto start = std::chrono::steady_clock::now();
     this->scene_ =
       std::make_unique<const EmbreeScene>(this->surface(), options.embreeRobust, control);
