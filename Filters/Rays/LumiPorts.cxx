@@ -45,13 +45,15 @@ void acceptAnyDataSet(vtkInformation* port)
 
 int makeOutputLike(vtkDataObject* model, vtkInformation* output)
 {
-  const vtkDataObject* const present = output->Get(vtkDataObject::DATA_OBJECT());
-  const std::string wanted = model ? model->GetClassName() : "vtkPolyData";
-  if (!present || present->GetClassName() != wanted)
+  if (!model)
   {
-    const auto made = model ? vtkSmartPointer<vtkDataObject>::Take(model->NewInstance())
-                            : vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkPolyData>::New());
-    output->Set(vtkDataObject::DATA_OBJECT(), made);
+    return 0;
+  }
+  const vtkDataObject* present = output->Get(vtkDataObject::DATA_OBJECT());
+  if (!present || std::string(present->GetClassName()) != model->GetClassName())
+  {
+    output->Set(
+      vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkDataObject>::Take(model->NewInstance()));
   }
   return 1;
 }

@@ -16,9 +16,8 @@ namespace lumitree::filters
 /// would run the filter block by block, and blocks would not see each other.
 LUMITREEFILTERSRAYS_EXPORT void acceptAnyDataSet(vtkInformation* port);
 
-/// Puts a new object of the very class of `model` into an output, unless one is there. Without a
-/// model, as ParaView asks when it sets the name of a file before it connects inputs, a vtkPolyData
-/// stands in until there is one. Returns 1.
+/// Puts a new object of the very class of `model` into an output, unless one is there. Returns 0
+/// without a model.
 LUMITREEFILTERSRAYS_EXPORT int makeOutputLike(vtkDataObject* model, vtkInformation* output);
 
 /// Tells what is known of an output's grid before it is made: that of the rays when it holds them

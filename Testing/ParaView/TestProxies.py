@@ -42,7 +42,7 @@ for other in ("OtherStructure", "ReferenceStructure"):
 CHOICES["OtherPrecision"] = CHOICES["Precision"]
 CHOICES["Sweep"] = "AllStructures GridCells LeafSizes"
 # A name has no domain, nor an upper limit that is infinite in C++ and cannot be written in XML.
-WITHOUT_DOMAIN = {"LightName"}
+WITHOUT_DOMAIN = {"LightName", "StructureFile"}
 INFINITE = {"TMax"}
 # Differs on purpose: the filter is there for the camera that the source does not have.
 OTHER_DEFAULT = {("LumiCameraRaysOfScene", "AutomaticCamera")}
