@@ -99,13 +99,6 @@ struct RayState
   const PrimitiveId* skipFirst = nullptr;
   const PrimitiveId* skipLast = nullptr;
 
-  /// The ray, if any, along which an order could not be certified.
-  std::size_t uncertainOrder = std::numeric_limits<std::size_t>::max();
-  /// Implicits whose hits along a ray have been offered: found once, however many leaves hold them.
-  ///@{
-  std::size_t implicitsRay = std::numeric_limits<std::size_t>::max();
-  std::vector<PrimitiveId> implicits;
-  ///@}
   double tStop = 0.0;           ///< nothing beyond matters
   Candidate best;               ///< Closest, Any
   std::vector<Candidate> found; ///< All, Count, Crossings, Ties
@@ -113,6 +106,14 @@ struct RayState
   ///@{
   std::uint64_t exactTests = 0;
   std::uint64_t exactParameters = 0;
+  ///@}
+
+  /// The ray, if any, along which an order could not be certified.
+  std::size_t uncertainOrder = std::numeric_limits<std::size_t>::max();
+  /// Implicits whose hits along a ray have been offered: found once, however many leaves hold them.
+  ///@{
+  std::size_t implicitsRay = std::numeric_limits<std::size_t>::max();
+  std::vector<PrimitiveId> implicits;
   ///@}
 
 private:
