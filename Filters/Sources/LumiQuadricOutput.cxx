@@ -94,11 +94,11 @@ public:
     {
       writeQuadrics(bodies.quadrics, this->output_);
     }
-    if (bodies.guarantee)
+    if (bodies.isFunction)
     {
       const vtkNew<vtkIntArray> guarantee;
       guarantee->SetName(implicitGuaranteeName);
-      guarantee->InsertNextValue(static_cast<int>(*bodies.guarantee));
+      guarantee->InsertNextValue(static_cast<int>(bodies.guarantee));
       this->output_->GetFieldData()->AddArray(guarantee);
     }
   }

@@ -32,8 +32,8 @@ struct QuadricSet
   std::optional<Implicit> implicit;
   std::shared_ptr<const ImplicitTree> tree;
   vtkImplicitFunction* function = nullptr;
-  /// Of the shape Function, what is promised of it.
-  std::optional<Guarantee> guarantee;
+  bool isFunction = false;                ///< the shape is Function
+  Guarantee guarantee = Guarantee::Exact; ///< what is promised of a function
 };
 
 /// Quadrics as pipeline data (LumiQuadrics.h): a vertex cell each, then the polygons that show

@@ -123,6 +123,7 @@ lumitree::filters::QuadricSet BodiesOfFunction(
   set.implicit = bodies.implicit;
   set.tree = bodies.tree;
   set.function = function;
+  set.isFunction = true;
   set.guarantee = bodies.guarantee;
   return set;
 }
