@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace lumitree
 {
@@ -28,6 +30,8 @@ constexpr double largestSize = 0x1p100;
 constexpr int cellBits = 7; ///< per direction of a face
 constexpr int sectorBits = 5;
 constexpr int radixBits = 10;
+/// Fewer rays are sorted by comparing: a radix sort would look at its buckets for longer.
+constexpr std::size_t leastRadix = 512;
 static_assert(2 * cellBits + sectorBits <= 2 * radixBits);
 
 /// The bits of a number, each followed by a 0.
@@ -148,44 +152,59 @@ void BundlePlan::place(
   this->places_.resize(count);
 }
 
-/// By sector, then along a Morton curve over the face; as they came where these are equal.
 void BundlePlan::sort()
 {
-  const auto count = static_cast<std::uint32_t>(this->places_.size());
   const float cells =
     static_cast<float>((1 << cellBits) - 1) / std::max(this->high_ - this->low_, 1e-6f);
-  std::array<std::uint32_t, (1 << radixBits) + 1> starts[2] = {};
-  this->keys_.resize(count);
-  constexpr std::uint32_t mask = (1u << radixBits) - 1;
-  for (std::uint32_t i = 0; i < count; ++i)
+  this->keys_.clear();
+  for (const Place& p : this->places_)
   {
-    const Place& p = this->places_[i];
     const auto cell = [&](float at) { return static_cast<unsigned>((at - this->low_) * cells); };
-    const std::uint32_t key = p.sector << 2 * cellBits |
-      static_cast<std::uint32_t>(spaced[cell(p.u)] | spaced[cell(p.v)] << 1);
-    this->keys_[i] = key;
+    this->keys_.push_back(p.sector << 2 * cellBits |
+      static_cast<std::uint32_t>(spaced[cell(p.u)] | spaced[cell(p.v)] << 1));
+  }
+  this->byKey_.resize(this->keys_.size());
+  if (this->keys_.size() < leastRadix)
+  {
+    std::iota(this->byKey_.begin(), this->byKey_.end(), 0u);
+    std::sort(this->byKey_.begin(), this->byKey_.end(),
+      [this](std::uint32_t a, std::uint32_t b)
+      { return std::tie(this->keys_[a], a) < std::tie(this->keys_[b], b); });
+  }
+  else
+  {
+    this->sortByRadix();
+  }
+  this->sorted_.clear();
+  for (const std::uint32_t i : this->byKey_)
+  {
+    this->sorted_.push_back(this->places_[i]);
+  }
+  this->places_.swap(this->sorted_);
+}
+
+void BundlePlan::sortByRadix()
+{
+  constexpr std::uint32_t mask = (1u << radixBits) - 1;
+  std::array<std::uint32_t, (1 << radixBits) + 1> starts[2] = {};
+  for (const std::uint32_t key : this->keys_)
+  {
     ++starts[0][(key & mask) + 1];
     ++starts[1][(key >> radixBits) + 1];
   }
   for (auto& start : starts)
   {
-    for (std::size_t bucket = 1; bucket < start.size(); ++bucket)
-    {
-      start[bucket] += start[bucket - 1];
-    }
+    std::partial_sum(start.begin(), start.end(), start.begin());
   }
-  this->byKey_.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i)
+  this->byLowBits_.resize(this->keys_.size());
+  for (std::uint32_t i = 0; i < this->keys_.size(); ++i)
   {
-    this->byKey_[starts[0][this->keys_[i] & mask]++] = i;
+    this->byLowBits_[starts[0][this->keys_[i] & mask]++] = i;
   }
-  std::vector<Place>& places = this->places_;
-  this->sorted_.resize(count);
-  for (const std::uint32_t i : this->byKey_)
+  for (const std::uint32_t i : this->byLowBits_)
   {
-    this->sorted_[starts[1][this->keys_[i] >> radixBits]++] = places[i];
+    this->byKey_[starts[1][this->keys_[i] >> radixBits]++] = i;
   }
-  places.swap(this->sorted_);
 }
 
 void BundlePlan::cut()

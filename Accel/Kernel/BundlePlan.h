@@ -58,7 +58,9 @@ private:
   void addRun(const RayBatch& rays, std::size_t first, std::size_t last);
   template <class T>
   void place(const T* directions, const RayBatch& rays, std::size_t first, std::size_t last);
+  /// By sector, then along a Morton curve over the face; as they came where these are equal.
   void sort();
+  void sortByRadix();
   void cut();
 
   std::size_t begin_ = 0;
@@ -68,6 +70,7 @@ private:
   std::vector<Place> sorted_;
   std::vector<std::uint32_t> keys_;
   std::vector<std::uint32_t> byKey_;
+  std::vector<std::uint32_t> byLowBits_;
   std::vector<std::size_t> order_;
   std::vector<Bundle> bundles_;
   std::vector<std::size_t> alone_;

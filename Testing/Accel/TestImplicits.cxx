@@ -243,10 +243,12 @@ TEST(Implicits, BadFunctionsAndBoxes)
     EXPECT_THROW(surfaceOf({ { function, boxOf(-1, 1), step } }), std::invalid_argument) << step;
   }
   Superquadric bad = rounded(0, 1);
-  EXPECT_THROW(functionOf(std::make_shared<const ImplicitTree>(leaf(bad))), std::invalid_argument);
+  EXPECT_THROW(
+    (void)functionOf(std::make_shared<const ImplicitTree>(leaf(bad))), std::invalid_argument);
   bad = rounded(1, 1);
   bad.scale[1] = 0;
-  EXPECT_THROW(functionOf(std::make_shared<const ImplicitTree>(leaf(bad))), std::invalid_argument);
+  EXPECT_THROW(
+    (void)functionOf(std::make_shared<const ImplicitTree>(leaf(bad))), std::invalid_argument);
 }
 
 TEST(Implicits, FarTinyAndHuge)

@@ -144,7 +144,8 @@ TEST(QuadricTrees, TreesThatMakeNoSenseAreRefused)
   for (std::size_t i = 0; i < bad.size(); ++i)
   {
     EXPECT_THROW(zerosOf(bad[i], boxOf(-1, 1)), std::invalid_argument) << i;
-    EXPECT_THROW(functionOf(std::make_shared<const ImplicitTree>(bad[i])), std::invalid_argument);
+    EXPECT_THROW(
+      (void)functionOf(std::make_shared<const ImplicitTree>(bad[i])), std::invalid_argument);
   }
   ImplicitTree deep = good;
   for (std::size_t i = 0; i < ImplicitTree::maxDepth; ++i)
