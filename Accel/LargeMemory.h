@@ -15,16 +15,30 @@
 namespace lumitree
 {
 
-/// An allocator for what rays read in no order, nodes and leaves: where there is much of it, the
-/// system is asked for large pages, so that finding a page does not cost more than reading it.
-/// Blocks are aligned to cache lines at least.
+/// The size of a large page, and what memory that is to lie in them is aligned to.
+inline constexpr std::size_t largePage = std::size_t{ 1 } << 21;
+
+/// Asks the system to put memory, aligned to a large page, in large pages as far as it fills them.
+/// Only advice: without large pages all is as it was.
+inline void adviseLargePages(void* memory, std::size_t bytes)
+{
+#ifdef __linux__
+  (void)madvise(memory, bytes / largePage * largePage, MADV_HUGEPAGE);
+#else
+  (void)memory;
+  (void)bytes;
+#endif
+}
+
+/// An allocator for what rays read in no order, nodes and leaves: where there is much of it, it
+/// lies in large pages, so that finding a page does not cost more than reading it. Blocks are
+/// aligned to cache lines at least.
 template <class T>
 struct LargeMemory
 {
   using value_type = T;
 
   static constexpr std::size_t line = 64;
-  static constexpr std::size_t largePage = std::size_t{ 1 } << 21;
 
   LargeMemory() = default;
   template <class U>
@@ -40,20 +54,14 @@ struct LargeMemory
     }
     const std::size_t size = n * sizeof(T);
     void* const memory = ::operator new(size, alignment(n));
-#ifdef __linux__
     if (size >= largePage)
     {
-      // Only advice: without large pages all is as it was.
-      madvise(memory, size / largePage * largePage, MADV_HUGEPAGE);
+      adviseLargePages(memory, size);
     }
-#endif
     return static_cast<T*>(memory);
   }
 
-  void deallocate(T* memory, std::size_t n)
-  {
-    ::operator delete(memory, alignment(n));
-  }
+  void deallocate(T* memory, std::size_t n) { ::operator delete(memory, alignment(n)); }
 
   template <class U>
   bool operator==(const LargeMemory<U>&) const

@@ -125,10 +125,10 @@ TEST_F(Structure, EveryOptionOfTheBuildReachesIt)
   this->filter_->SetStructure(vtkLumiAccelerationStructure::KdTree);
   EXPECT_EQ(value(this->row(), "Depth", 0), 3);
   this->filter_->SetMaxDepth(64);
-  const double sah = value(this->row(), "SahCost", 0);
+  // The builder takes a step to be dearer than SahCost does: what it saves is steps.
+  const double sah = value(this->row(), "Nodes", 0);
   this->filter_->SetKdBuild(vtkLumiAccelerationStructure::SpatialMedian);
-  // Another tree; a builder weighs a step otherwise than SahCost does, so not always a dearer one.
-  EXPECT_NE(value(this->row(), "SahCost", 0), sah);
+  EXPECT_GT(value(this->row(), "Nodes", 0), sah);
 
   this->filter_->SetStructure(vtkLumiAccelerationStructure::Grid);
   const double automatic = value(this->row(), "Leaves", 0);
