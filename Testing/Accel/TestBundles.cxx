@@ -182,6 +182,39 @@ TEST_P(Bundles, OfGrazingRays)
   }
 }
 
+/// Needles with their length along the rays, each in a plane across an axis: t from the weights is
+/// vague, the plane that is the needle's box says where it is.
+TEST_P(Bundles, OfNeedlesInPlanesOfTheAxes)
+{
+  Uniform uniform(8);
+  const Vec3 eye = { -0.1, -0.2, -1 };
+  std::vector<std::array<Vec3, 3>> needles;
+  std::vector<Vec3> targets;
+  for (int i = 0; i < 600; ++i)
+  {
+    const std::size_t across = i % 2;
+    const Vec3 from = { uniform(0.5, 1), uniform(0.5, 1), uniform(1, 2) };
+    Vec3 along = { uniform(0.1, 0.3), uniform(0.1, 0.3), uniform(0.5, 1) };
+    along[across] = 0;
+    Vec3 width{};
+    width[1 - across] = std::ldexp(1.0, -20 - i % 24);
+    needles.push_back({ from, from + 0.5 * along + width, from + along });
+    for (int ray = 0; ray < 8; ++ray)
+    {
+      const double s = uniform(0.1, 0.9);
+      const double share = uniform(0.2, 0.8) * std::min(2 * s, 2 - 2 * s);
+      targets.push_back(from + s * along + share * width);
+    }
+  }
+  Rays rays;
+  for (const Vec3& target : targets)
+  {
+    rays.add(eye, target - eye);
+  }
+  const auto accelerator = build(surfaceOf<double>(needles), optionsOf(Structure::WideBvh));
+  EXPECT_GT(expectAsAlone(*accelerator, rays.batch(), GetParam()), 1000u);
+}
+
 TEST_P(Bundles, OfRaysOfFloats)
 {
   const auto surface = surfaceOf<float>(data::torus(60, 30, 0.3));
