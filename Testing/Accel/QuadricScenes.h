@@ -27,8 +27,8 @@ inline std::shared_ptr<const Surface> surfaceOf(const Quadrics& quadrics)
 }
 
 template <class T>
-std::shared_ptr<const Surface> surfaceOf(
-  const std::vector<std::array<Vec3, 3>>& triangles, const Quadrics& quadrics)
+std::shared_ptr<const Surface> surfaceOf(const std::vector<std::array<Vec3, 3>>& triangles,
+  const Quadrics& quadrics, const std::vector<Implicit>& implicits = {})
 {
   std::vector<T> points;
   std::vector<Triangle> indices;
@@ -43,7 +43,7 @@ std::shared_ptr<const Surface> surfaceOf(
     }
   }
   return std::make_shared<const Surface>(
-    PointArray::from(std::move(points)), std::move(indices), quadrics);
+    PointArray::from(std::move(points)), std::move(indices), quadrics, implicits);
 }
 
 inline std::vector<Hit> hitsOf(const Quadrics& quadrics, const Ray& ray, Precision precision)
