@@ -25,9 +25,12 @@ double checked(const SkyLevel& level)
                                                  : "The horizontal irradiance of a sky");
 }
 
+/// Of unit vectors.
 double angleBetween(const Vec3& a, const Vec3& b)
 {
-  return std::atan2(length(cross(a, b)), dot(a, b));
+  const double cosine = dot(a, b);
+  constexpr double safe = 0.9; // nearer to ±1 the cosine has lost digits of the angle
+  return std::fabs(cosine) < safe ? std::acos(cosine) : std::atan2(length(cross(a, b)), cosine);
 }
 
 /// ∫ f over an interval at whose ends f may begin like a square root.

@@ -45,22 +45,6 @@ std::array<Vec3, 3> axesAround(const Vec3& z)
   return { frame.x, frame.y, frame.z };
 }
 
-/// Makes sums of weights steps from 0 to 1.
-void normalise(double* steps, std::size_t count)
-{
-  double sum = 0.0;
-  for (std::size_t i = 1; i <= count; ++i)
-  {
-    sum += steps[i];
-    steps[i] = sum;
-  }
-  for (std::size_t i = 1; i <= count; ++i)
-  {
-    steps[i] = sum > 0.0 ? steps[i] / sum : static_cast<double>(i) / static_cast<double>(count);
-  }
-  steps[count] = 1.0;
-}
-
 } // namespace
 
 CosineSkySamples::CosineSkySamples(const SkySource& sky, const Vec3& normal)
@@ -88,30 +72,72 @@ void CosineSkySamples::draw(
   }
 }
 
+template <std::size_t count>
+void RadianceSkySamples::Steps<count>::set(const std::array<double, count>& weights)
+{
+  double sum = 0.0;
+  for (const double weight : weights)
+  {
+    sum += weight;
+  }
+  double below = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    below += weights[i];
+    this->ends_[i + 1] =
+      sum > 0.0 ? below / sum : static_cast<double>(i + 1) / static_cast<double>(count);
+  }
+  this->ends_[count] = 1.0;
+  std::size_t step = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->perHeight_[i] = 1.0 / (this->ends_[i + 1] - this->ends_[i]);
+    while (static_cast<double>(i) / count >= this->ends_[step + 1])
+    {
+      ++step;
+    }
+    this->first_[i] = static_cast<std::uint8_t>(step);
+  }
+}
+
 RadianceSkySamples::RadianceSkySamples(const SkySource& sky)
   : sky_(sky)
   , axes_(axesAround(sky.up()))
 {
+  std::array<double, rings> ofRings{};
   for (std::size_t r = 0; r < rings; ++r)
   {
-    double sum = 0.0;
+    std::array<double, sectors> ofSectors{};
     for (std::size_t s = 0; s < sectors; ++s)
     {
       const CosineDirection to(this->axes_, (static_cast<double>(r) + 0.5) / rings,
         (static_cast<double>(s) + 0.5) / sectors);
-      this->sectorSteps_[r][s + 1] = this->sky_.radianceFrom(to.direction);
-      sum += this->sectorSteps_[r][s + 1];
+      ofSectors[s] = this->sky_.radianceFrom(to.direction);
+      ofRings[r] += ofSectors[s];
     }
     // A part of it even, so that what the middle of a step does not show is drawn all the same.
     constexpr double even = 0.1;
-    for (std::size_t s = 1; s <= sectors; ++s)
+    for (double& weight : ofSectors)
     {
-      this->sectorSteps_[r][s] += even * sum / sectors;
+      weight += even * ofRings[r] / sectors;
     }
-    this->ringSteps_[r + 1] = sum;
-    normalise(this->sectorSteps_[r].data(), sectors);
+    this->sectorSteps_[r].set(ofSectors);
   }
-  normalise(this->ringSteps_.data(), rings);
+  this->ringSteps_.set(ofRings);
+  for (std::size_t r = 0; r < rings; ++r)
+  {
+    for (std::size_t s = 0; s < sectors; ++s)
+    {
+      const double density =
+        this->ringSteps_.height(r) * this->sectorSteps_[r].height(s) * (rings * sectors);
+      this->weights_[r][s] = density > 0.0 ? pi / density : 0.0;
+    }
+  }
+  for (std::size_t s = 0; s < sectors; ++s)
+  {
+    const double azimuth = 2.0 * pi * (static_cast<double>(s) + 0.5) / sectors;
+    this->middles_[s] = { std::cos(azimuth), std::sin(azimuth) };
+  }
 }
 
 bool RadianceSkySamples::suits(const SkySource& sky, const View& view)
@@ -119,31 +145,29 @@ bool RadianceSkySamples::suits(const SkySource& sky, const View& view)
   return view.sided && sky.groundRadiance() == 0.0 && dot(view.normal, sky.up()) > 0.95;
 }
 
-RadianceSkySamples::Place RadianceSkySamples::place(
-  const double* steps, std::size_t count, double x)
-{
-  const double* const above = std::upper_bound(steps + 1, steps + count, x);
-  const auto step = static_cast<std::size_t>(above - steps) - 1;
-  return { step, std::min(1.0, (x - steps[step]) / (steps[step + 1] - steps[step])) };
-}
-
 void RadianceSkySamples::draw(
   const std::array<double, 2>* points, std::size_t count, SourceSample* samples) const
 {
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Place ring = RadianceSkySamples::place(this->ringSteps_.data(), rings, points[i][0]);
-    const auto& steps = this->sectorSteps_[ring.step];
-    const Place sector = RadianceSkySamples::place(steps.data(), sectors, points[i][1]);
-    const double density = (this->ringSteps_[ring.step + 1] - this->ringSteps_[ring.step]) *
-      (steps[sector.step + 1] - steps[sector.step]) * (rings * sectors);
-    const CosineDirection to(this->axes_, (static_cast<double>(ring.step) + ring.within) / rings,
-      (static_cast<double>(sector.step) + sector.within) / sectors);
+    auto [u, v] = points[i];
+    const std::size_t ring = this->ringSteps_.place(u);
+    const std::size_t sector = this->sectorSteps_[ring].place(v);
+    const double squared = (static_cast<double>(ring) + u) / rings;
+    const double sine = std::sqrt(squared);
+    const double cosine = std::sqrt(1.0 - squared);
+    // The azimuth from the middle of the sector, by Taylor's series: 1e-17 off at most.
+    const double off = 2.0 * pi / sectors * (v - 0.5);
+    const double x = off * off;
+    const double offSine = off * (1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0)));
+    const double offCosine = 1.0 - x / 2.0 * (1.0 - x / 12.0 * (1.0 - x / 30.0 * (1.0 - x / 56.0)));
+    const auto& [c, s] = this->middles_[sector];
     SourceSample& sample = samples[i];
-    sample.sightline.direction = to.direction;
+    sample.sightline.direction = (sine * (c * offCosine - s * offSine)) * this->axes_[0] +
+      (sine * (s * offCosine + c * offSine)) * this->axes_[1] + cosine * this->axes_[2];
     sample.sightline.endless = true;
-    sample.radiance = this->sky_.radianceFrom(to.direction);
-    sample.weight = to.cosine > 0.0 && density > 0.0 ? pi / (to.cosine * density) : 0.0;
+    sample.radiance = this->sky_.radianceFrom(sample.sightline.direction);
+    sample.weight = cosine > 0.0 ? this->weights_[ring][sector] / cosine : 0.0;
   }
 }
 

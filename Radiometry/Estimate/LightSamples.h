@@ -7,8 +7,10 @@
 #include "Radiometry/SkySource.h"
 #include "Radiometry/Source.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace lumitree
 {
@@ -39,7 +41,7 @@ public:
 
 private:
   const Source& source_;
-  const Vec3& eye_;
+  Vec3 eye_;
 };
 
 /// Directions above a surface by the cosine with its normal: under an even sky each counts the
@@ -77,18 +79,43 @@ private:
   static constexpr std::size_t rings = 32;
   static constexpr std::size_t sectors = 64;
 
-  /// Where a number in [0, 1) falls among steps that rise from 0 to 1.
-  struct Place
+  /// Steps from 0 to 1.
+  template <std::size_t count>
+  class Steps
   {
-    std::size_t step;
-    double within; ///< 0 … 1
+  public:
+    /// As high as those weights, which are not negative.
+    void set(const std::array<double, count>& weights);
+
+    [[nodiscard]] double height(std::size_t step) const
+    {
+      return this->ends_[step + 1] - this->ends_[step];
+    }
+
+    /// The step in which a number in [0, 1) falls; the number becomes how far up it is, 0 … 1.
+    std::size_t place(double& x) const
+    {
+      std::size_t step = this->first_[static_cast<std::size_t>(x * count)];
+      while (x >= this->ends_[step + 1])
+      {
+        ++step;
+      }
+      x = std::min(1.0, (x - this->ends_[step]) * this->perHeight_[step]);
+      return step;
+    }
+
+  private:
+    std::array<double, count + 1> ends_{};
+    std::array<double, count> perHeight_{};
+    std::array<std::uint8_t, count> first_{}; ///< where i / count falls
   };
-  static Place place(const double* steps, std::size_t count, double x);
 
   const SkySource& sky_;
   std::array<Vec3, 3> axes_;
-  std::array<double, rings + 1> ringSteps_{};
-  std::array<std::array<double, sectors + 1>, rings> sectorSteps_{};
+  Steps<rings> ringSteps_;
+  std::array<Steps<sectors>, rings> sectorSteps_;
+  std::array<std::array<double, sectors>, rings> weights_{}; ///< times the cosine with the zenith
+  std::array<std::array<double, 2>, sectors> middles_{};     ///< cosine and sine of the azimuth
 };
 
 } // namespace lumitree

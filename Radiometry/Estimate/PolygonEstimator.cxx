@@ -234,23 +234,9 @@ Estimate PolygonEstimator::estimate(
       return result;
     }
   }
-  this->sample(polygon, view, certain, open, tolerance, workspace, result);
+  sample(view, certain, open, tolerance,
+    std::make_shared<const PieceSamples>(workspace.pieces, polygon.radiance), workspace, result);
   return result;
-}
-
-/// Rays to the pieces that are open, beside the light that is certain.
-void PolygonEstimator::sample(const Polygon& polygon, const View& view, const Amounts& certain,
-  const Amounts& open, double tolerance, EstimateWorkspace& workspace, Estimate& result) const
-{
-  const RaySample sampled = workspace.sampler.run(view, open, certain.main,
-    PieceSamples(workspace.pieces, polygon.radiance), this->scene_.sampling(tolerance));
-  result.value = certain;
-  result.value.add(sampled.value);
-  result.lower = std::max(certain.main, result.value.main - sampled.halfWidth);
-  result.upper = std::min(certain.main + open.main, result.value.main + sampled.halfWidth);
-  result.method = EstimateMethod::Sampling;
-  result.rays = sampled.rays;
-  result.missed = sampled.missed;
 }
 
 } // namespace lumitree

@@ -39,9 +39,6 @@ private:
   bool findCones(const Polygon& polygon, double side, double height, std::size_t mostClipped,
     const View& view, EstimateWorkspace& workspace) const;
 
-  void sample(const Polygon& polygon, const View& view, const Amounts& certain, const Amounts& open,
-    double tolerance, EstimateWorkspace& workspace, Estimate& result) const;
-
   std::vector<Polygon> polygons_;
 };
 

@@ -14,11 +14,12 @@ namespace lumitree
 namespace
 {
 
-/// The error of the mean of all rays over the one that the blocks' spread would give if they were
-/// independent: with it, intervals cover the truth at 93 to 97 % of penumbra receivers of five
-/// scenes and tolerances from 10 to 1 %. (Were the error to fall with n^-¾ exactly, it would be
-/// 8^-¼ = 0.59.)
-constexpr double narrowing = 0.65;
+/// Enough for a call of the structure to cost nothing, few enough to stay in the cache.
+constexpr std::size_t batchSize = 4096;
+
+/// From so many rays on to one light they are cast one light after the other, for the structure to
+/// take neighbours together. Fewer are too far from each other, and lights take turns.
+constexpr std::uint32_t neighbours = 1024;
 
 } // namespace
 
@@ -50,17 +51,24 @@ Amounts amountsOf(const View& view, const SourceSample& sample)
   return result;
 }
 
-void RaySampler::draw(const View& view, const LightSamples& samples, std::uint32_t begin,
-  std::uint32_t end, std::uint32_t firstBlock, const RaySamplerOptions& options)
+void RaySampler::add(SampledLight light)
 {
-  const std::size_t count = end - begin;
-  const std::size_t perBlock = count / (blockCount - firstBlock);
-  if (this->points_.size() < count)
+  this->lights_.push_back({ std::move(light), {}, {}, 0 });
+}
+
+void RaySampler::draw(std::size_t first, std::size_t last)
+{
+  std::size_t count = 0;
+  this->firstSample_.clear();
+  for (std::size_t at = first; at < last; ++at)
+  {
+    this->firstSample_.push_back(count);
+    count += this->open_[at]->share.end() - this->open_[at]->share.begin();
+  }
+  if (this->samples_.size() < count)
   {
     this->points_.resize(count);
     this->samples_.resize(count);
-    this->lights_.resize(count);
-    this->sources_.resize(count);
     this->owners_.resize(count);
     this->origins_.resize(3 * count);
     this->directions_.resize(3 * count);
@@ -68,55 +76,88 @@ void RaySampler::draw(const View& view, const LightSamples& samples, std::uint32
     this->tMaxs_.resize(count);
     this->hit_.resize(count);
   }
-  const Sobol sobol(Sobol::mix(view.seed));
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t at = first; at < last; ++at)
   {
-    this->points_[i] = sobol(begin + static_cast<std::uint32_t>(i));
-  }
-  samples.draw(this->points_.data(), count, this->samples_.data());
-  this->batch_ = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const SourceSample& sample = this->samples_[i];
-    const Vec3& way = sample.sightline.direction;
-    const double size = length(way);
-    const double cosine = view.sided ? dot(view.normal, way) / size : 1.0;
-    const double light = sample.radiance * sample.weight * cosine;
-    if (!(light > 0.0) || !(size > 0.0))
+    const Progress& progress = *this->open_[at];
+    const VisibleShare& share = progress.share;
+    const std::size_t to = this->firstSample_[at - first];
+    const Sobol sobol(Sobol::mix(progress.light.view.seed));
+    for (std::uint32_t i = share.begin(); i < share.end(); ++i)
     {
-      continue;
+      this->points_[to + i - share.begin()] = sobol(i);
     }
-    const auto block = static_cast<std::uint32_t>(firstBlock + i / perBlock);
-    this->blocks_[block].all += light;
-    this->all_ += light;
-    const double tMin = view.clearance / size;
-    const double tMax = sample.sightline.endless
-      ? std::numeric_limits<double>::infinity()
-      : 1.0 - options.shadowRays->clearance(view.eye + way) / size;
-    if (tMin > tMax)
-    {
-      continue; // too near to be hidden
-    }
-    const std::size_t ray = this->batch_++;
-    this->lights_[ray] = light;
-    this->sources_[ray] = static_cast<std::uint32_t>(i);
-    this->owners_[ray] = block;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->origins_[3 * ray + k] = view.eye[k];
-      this->directions_[3 * ray + k] = way[k];
-    }
-    this->tMins_[ray] = tMin;
-    this->tMaxs_[ray] = tMax;
+    progress.light.samples->draw(
+      this->points_.data() + to, share.end() - share.begin(), this->samples_.data() + to);
   }
 }
 
-void RaySampler::cast(const View& view, const LightSamples& samples, std::uint32_t begin,
-  std::uint32_t end, std::uint32_t firstBlock, const RaySamplerOptions& options)
+void RaySampler::addRay(
+  std::size_t at, std::uint32_t i, std::size_t sample, const RaySamplerOptions& options)
 {
-  this->draw(view, samples, begin, end, firstBlock, options);
+  Progress& progress = *this->batch_[at];
+  const View& view = progress.light.view;
+  const SourceSample& drawn = this->samples_[sample];
+  const Vec3& way = drawn.sightline.direction;
+  const double size = length(way);
+  const double cosine = view.sided ? dot(view.normal, way) / size : 1.0;
+  const double light = drawn.radiance * drawn.weight * cosine;
+  if (!(light > 0.0) || !(size > 0.0))
+  {
+    return;
+  }
+  const std::uint32_t block = progress.share.block(i);
+  progress.share.addLight(block, light);
+  const double tMin = view.clearance / size;
+  const double tMax = drawn.sightline.endless
+    ? std::numeric_limits<double>::infinity()
+    : 1.0 - options.shadowRays->clearance(view.eye + way) / size;
+  if (tMin > tMax)
+  {
+    return; // too near to be hidden
+  }
+  ++progress.rays;
+  const std::size_t ray = this->size_++;
+  this->owners_[ray] = { static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(sample), block,
+    light };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    this->origins_[3 * ray + k] = view.eye[k];
+    this->directions_[3 * ray + k] = way[k];
+  }
+  this->tMins_[ray] = tMin;
+  this->tMaxs_[ray] = tMax;
+}
+
+void RaySampler::cast(std::size_t first, std::size_t last, const RaySamplerOptions& options)
+{
+  this->draw(first, last);
+  this->size_ = 0;
+  this->batch_ = this->open_.data() + first;
+  const std::size_t lights = last - first;
+  std::uint32_t most = 0;
+  bool skips = false;
+  for (std::size_t at = 0; at < lights; ++at)
+  {
+    const Progress& progress = *this->batch_[at];
+    most = std::max(most, progress.share.end() - progress.share.begin());
+    skips = skips || progress.light.view.skipCount > 0;
+  }
+  const std::uint32_t turn = most < neighbours ? 1 : most;
+  for (std::uint32_t begin = 0; begin < most; begin += turn)
+  {
+    for (std::size_t at = 0; at < lights; ++at)
+    {
+      const VisibleShare& share = this->batch_[at]->share;
+      const std::uint32_t end = std::min(begin + turn, share.end() - share.begin());
+      for (std::uint32_t i = begin; i < end; ++i)
+      {
+        this->addRay(at, i, this->firstSample_[at] + i, options);
+      }
+    }
+  }
+
   RayBatch batch;
-  batch.size = this->batch_;
+  batch.size = this->size_;
   if (batch.size == 0)
   {
     return;
@@ -125,97 +166,109 @@ void RaySampler::cast(const View& view, const LightSamples& samples, std::uint32
   batch.directions = this->directions_.data();
   batch.tMins = this->tMins_.data();
   batch.tMaxs = this->tMaxs_.data();
-  const std::uint64_t offsets[2] = { 0, view.skipCount };
-  if (view.skipCount > 0)
+  if (skips)
   {
-    this->sets_.assign(batch.size, 0);
+    this->skipOffsets_.assign(1, 0);
+    this->skipPrimitives_.clear();
+    for (std::size_t at = 0; at < lights; ++at)
+    {
+      const View& view = this->batch_[at]->light.view;
+      this->skipPrimitives_.insert(
+        this->skipPrimitives_.end(), view.skip, view.skip + view.skipCount);
+      this->skipOffsets_.push_back(this->skipPrimitives_.size());
+    }
+    this->sets_.clear();
+    for (std::size_t ray = 0; ray < batch.size; ++ray)
+    {
+      this->sets_.push_back(this->owners_[ray].at);
+    }
     batch.skip.setOfRay = this->sets_.data();
-    batch.skip.offsets = offsets;
-    batch.skip.primitives = view.skip;
+    batch.skip.offsets = this->skipOffsets_.data();
+    batch.skip.primitives = this->skipPrimitives_.data();
   }
   QueryOptions query;
   query.precision = options.precision;
-  query.threads = 1;
+  query.threads = 1; // receivers go side by side
   options.occluders->any(batch, this->hit_.data(), query);
-  this->rays_ += static_cast<std::uint32_t>(batch.size);
-  const bool extras = view.vector || view.cylindrical;
-  for (std::size_t i = 0; i < batch.size; ++i)
+  for (std::size_t ray = 0; ray < batch.size; ++ray)
   {
-    if (this->hit_[i])
+    if (this->hit_[ray])
     {
-      this->blocks_[this->owners_[i]].hidden += this->lights_[i];
-      if (extras)
+      const RayOwner& owner = this->owners_[ray];
+      Progress& progress = *this->batch_[owner.at];
+      progress.share.addHidden(owner.block, owner.light);
+      if (progress.light.view.vector || progress.light.view.cylindrical)
       {
-        this->hidden_.add(amountsOf(view, this->samples_[this->sources_[i]]));
-      }
-      else
-      {
-        this->hidden_.main += this->lights_[i];
+        progress.hidden.add(amountsOf(progress.light.view, this->samples_[owner.sample]));
       }
     }
   }
 }
 
-RaySample RaySampler::run(const View& view, const Amounts& full, double known,
-  const LightSamples& samples, const RaySamplerOptions& options)
+bool RaySampler::finish(Progress& progress, const RaySamplerOptions& options)
 {
-  // Student's 97.5 % point for 7 degrees of freedom.
-  constexpr double student = 2.3646;
-  this->blocks_ = {};
-  this->hidden_ = {};
-  this->all_ = 0.0;
-  this->rays_ = 0;
-  const double shade = 0.05 * (known + full.main);
-  RaySample result;
-  std::uint32_t end = 8 * blockCount;
-  this->cast(view, samples, 0, end, 0, options);
-  while (true)
+  const SampledLight& light = progress.light;
+  const double value = light.full.main * (1.0 - progress.share.hiddenShare());
+  const double half = light.full.main * progress.share.halfWidth();
+  const double shade = 0.05 * (light.known + light.full.main);
+  const double tolerance =
+    std::max(light.tolerance, options.relativeTolerance * std::max(light.known + value, shade));
+  const bool missed =
+    half > tolerance && std::uint64_t{ progress.share.end() } * 2 > options.maximumRays;
+  if (half > tolerance && !missed)
   {
-    const double share = this->all_ > 0.0 ? this->hidden_.main / this->all_ : 0.0;
-    double variance = 0.0;
-    std::uint32_t counted = 0;
-    for (const Sums& block : this->blocks_)
-    {
-      if (block.all > 0.0)
-      {
-        const double off = block.hidden / block.all - share;
-        variance += off * off;
-        ++counted;
-      }
-    }
-    variance /= std::max(1u, counted - 1) * static_cast<double>(std::max(1u, counted));
-    // Blocks that agree say nothing about what is smaller than the gaps between all rays.
-    const double gap = 1.0 / end;
-    const double half = full.main * std::hypot(student * narrowing * std::sqrt(variance), gap);
-    result.value.main = full.main * (1.0 - share);
-    result.halfWidth = half;
-    const double tolerance = std::max(options.absoluteTolerance,
-      options.relativeTolerance * std::max(known + result.value.main, shade));
-    if (half <= tolerance)
-    {
-      break;
-    }
-    if (std::uint64_t{ end } * 2 > options.maximumRays)
-    {
-      result.missed = true;
-      break;
-    }
-    // Two blocks become one, and there are four new ones.
-    for (std::uint32_t b = 0; b < blockCount; ++b)
-    {
-      const Sums* const old = &this->blocks_[b < blockCount / 2 ? 2 * b : 0];
-      this->blocks_[b] = b < blockCount / 2
-        ? Sums{ old[0].all + old[1].all, old[0].hidden + old[1].hidden }
-        : Sums{};
-    }
-    this->cast(view, samples, end, 2 * end, blockCount / 2, options);
-    end *= 2;
+    return false;
   }
-  const double scale = this->all_ > 0.0 ? full.main / this->all_ : 0.0;
-  result.value.vector = full.vector - scale * this->hidden_.vector;
-  result.value.cylindrical = std::max(0.0, full.cylindrical - scale * this->hidden_.cylindrical);
-  result.rays = this->rays_;
-  return result;
+  const double all = progress.share.all();
+  const double scale = all > 0.0 ? light.full.main / all : 0.0;
+  Estimate found;
+  found.value.main = value;
+  found.value.vector = light.full.vector - scale * progress.hidden.vector;
+  found.value.cylindrical =
+    std::max(0.0, light.full.cylindrical - scale * progress.hidden.cylindrical);
+  found.lower = std::max(0.0, value - half);
+  found.upper = std::min(light.full.main, value + half);
+  found.method = EstimateMethod::Sampling;
+  found.rays = progress.rays;
+  found.missed = missed;
+  light.to->add(found);
+  return true;
+}
+
+void RaySampler::run(const RaySamplerOptions& options)
+{
+  this->open_.clear();
+  for (Progress& progress : this->lights_)
+  {
+    const SampledLight& light = progress.light;
+    const double widest =
+      std::max(light.tolerance, options.relativeTolerance * (light.known + light.full.main));
+    progress.share.startWith(widest / light.full.main, options.maximumRays);
+    this->open_.push_back(&progress);
+  }
+  while (!this->open_.empty())
+  {
+    for (std::size_t first = 0; first < this->open_.size();)
+    {
+      std::size_t last = first;
+      std::size_t samples = 0;
+      while (last < this->open_.size() && samples < batchSize)
+      {
+        samples += this->open_[last]->share.end() - this->open_[last]->share.begin();
+        ++last;
+      }
+      this->cast(first, last, options);
+      first = last;
+    }
+    this->open_.erase(std::remove_if(this->open_.begin(), this->open_.end(),
+                        [&](Progress* progress) { return finish(*progress, options); }),
+      this->open_.end());
+    for (Progress* const progress : this->open_)
+    {
+      progress->share.goOn();
+    }
+  }
+  this->lights_.clear();
 }
 
 } // namespace lumitree

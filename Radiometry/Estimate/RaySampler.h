@@ -4,11 +4,13 @@
 #define Lumitree_Radiometry_Estimate_RaySampler_h
 
 #include "Accel/Accelerator.h"
-#include "Radiometry/Estimate/Amounts.h"
+#include "Radiometry/Estimate/Estimate.h"
 #include "Radiometry/Estimate/LightSamples.h"
+#include "Radiometry/Estimate/VisibleShare.h"
 #include "Radiometry/ShadowRays.h"
 #include "Radiometry/Source.h"
 
+#include <memory>
 #include <vector>
 
 namespace lumitree
@@ -20,65 +22,82 @@ struct RaySamplerOptions
   const ShadowRays* shadowRays = nullptr;
   Precision precision = Precision::Fast;
   double relativeTolerance = 0.01;
-  double absoluteTolerance = 0.0;
   std::uint32_t maximumRays = 16384;
 };
 
-/// What rays say about light of which the unoccluded amount is known.
-struct RaySample
+/// Light of which rays are to say what is visible.
+struct SampledLight
 {
-  Amounts value;
-  double halfWidth = 0.0; ///< of value.main
-  std::uint32_t rays = 0;
-  bool missed = false; ///< the tolerance
+  View view;
+  Amounts full;                                ///< with nothing in the way; main > 0
+  double known = 0.0;                          ///< certain light beside it, which the relative
+                                               ///< tolerance counts in
+  double tolerance = 0.0;                      ///< absolute, beside the relative one
+  std::shared_ptr<const LightSamples> samples; ///< of that light
+  Estimate* to = nullptr;                      ///< what is found is added there
 };
 
-/// Estimates which share of some light is visible.
+/// Estimates which share of lights is visible: full × Σ f V / Σ f (a ratio estimate, exact where
+/// all is lit).
 ///
-/// The rays are one Owen-scrambled Sobol sequence, the interval is of the means of eight blocks of
-/// it: each block is a net, as even as the whole, and what one leaves out others have, so that the
-/// mean of all is better than eight independent ones would be.
+/// The rays to each are one Owen-scrambled Sobol sequence, which doubles until the interval is
+/// below the tolerance (VisibleShare.h). Lights are queued, and those that are not done have their
+/// next rays cast together: the structure is called some thousand rays at a time. What is found of
+/// one does not depend on the others.
 class RaySampler
 {
 public:
-  /// full: the light with nothing in the way, of which there are samples; what is seen of it is
-  /// full × Σ f V / Σ f (a ratio estimate, exact where all is lit). known: light that is certain
-  /// beside it; the relative tolerance counts it in.
-  RaySample run(const View& view, const Amounts& full, double known, const LightSamples& samples,
-    const RaySamplerOptions& options);
+  void add(SampledLight light);
+  [[nodiscard]] std::size_t size() const { return this->lights_.size(); }
+
+  /// Casts the rays of all that were added, and forgets these.
+  void run(const RaySamplerOptions& options);
 
 private:
-  static constexpr std::uint32_t blockCount = 8;
-
-  /// Sums over the samples of one block.
-  struct Sums
+  struct Progress
   {
-    double all = 0.0;    ///< Σ f
-    double hidden = 0.0; ///< Σ f (1 − V)
+    SampledLight light;
+    VisibleShare share;
+    Amounts hidden; ///< Σ f (1 − V), where more than the main amount is asked for
+    std::uint32_t rays = 0;
   };
 
-  /// Casts the rays begin … end of the sequence, which begin with that block.
-  void cast(const View& view, const LightSamples& samples, std::uint32_t begin, std::uint32_t end,
-    std::uint32_t firstBlock, const RaySamplerOptions& options);
-  void draw(const View& view, const LightSamples& samples, std::uint32_t begin, std::uint32_t end,
-    std::uint32_t firstBlock, const RaySamplerOptions& options);
+  /// The next rays of lights first … last - 1 of those that are open.
+  void cast(std::size_t first, std::size_t last, const RaySamplerOptions& options);
+  void draw(std::size_t first, std::size_t last);
 
-  std::array<Sums, blockCount> blocks_;
-  Amounts hidden_;   ///< Σ f (1 − V) of all
-  double all_ = 0.0; ///< Σ f of the main amount
-  std::uint32_t rays_ = 0;
-  std::size_t batch_ = 0; ///< how many of what follows are rays of the batch
+  /// Sample i of light number `at` of the batch, if there is a ray to be cast.
+  void addRay(
+    std::size_t at, std::uint32_t i, std::size_t sample, const RaySamplerOptions& options);
+
+  /// Adds the light's answer to its estimate once it has one.
+  static bool finish(Progress& progress, const RaySamplerOptions& options);
+
+  std::vector<Progress> lights_;
+  std::vector<Progress*> open_;
+
+  // The batch: samples of some lights, one light after the other; and rays.
   std::vector<std::array<double, 2>> points_;
   std::vector<SourceSample> samples_;
-  std::vector<double> lights_;         ///< main amounts of the rays of the batch
-  std::vector<std::uint32_t> sources_; ///< which sample each ray is
-  std::vector<std::uint32_t> owners_;  ///< which block
+  std::vector<std::size_t> firstSample_; ///< of each light
+  struct RayOwner
+  {
+    std::uint32_t at; ///< number of the light in the batch
+    std::uint32_t sample;
+    std::uint32_t block;
+    double light; ///< main amount
+  };
+  std::size_t size_ = 0; ///< how many of what follows are rays of the batch
+  Progress* const* batch_ = nullptr;
+  std::vector<RayOwner> owners_;
   std::vector<double> origins_;
   std::vector<double> directions_;
   std::vector<double> tMins_;
   std::vector<double> tMaxs_;
-  std::vector<std::uint32_t> sets_;
   std::vector<std::uint8_t> hit_;
+  std::vector<std::uint32_t> sets_;
+  std::vector<std::uint64_t> skipOffsets_;
+  std::vector<PrimitiveId> skipPrimitives_;
 };
 
 /// What a sample gives a view.

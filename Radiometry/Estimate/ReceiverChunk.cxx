@@ -17,6 +17,9 @@ namespace
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Lights to which rays are cast together.
+constexpr std::size_t mostQueued = 128;
+
 } // namespace
 
 ReceiverChunk::ReceiverChunk(
@@ -150,11 +153,19 @@ const std::vector<Estimate>& ReceiverChunk::compute(ReceiverPart part, bool main
     {
       if (this->job_.estimators[s])
       {
-        this->of(s, k) = this->job_.estimators[s]->estimate(
-          this->view(k, part, s), tolerance > 0.0 ? tolerance : 0.0, this->workspace_);
+        // What rays find comes on top of it, now or later.
+        Estimate& estimate = this->of(s, k);
+        this->workspace_.result = &estimate;
+        estimate.add(this->job_.estimators[s]->estimate(
+          this->view(k, part, s), tolerance > 0.0 ? tolerance : 0.0, this->workspace_));
+        if (this->workspace_.sampler.size() >= mostQueued)
+        {
+          this->workspace_.sampler.run(this->job_.scene.sampling());
+        }
       }
     }
   }
+  this->workspace_.sampler.run(this->job_.scene.sampling());
   this->sum_.assign(this->size_, {});
   for (std::size_t k = 0; k < this->size_; ++k)
   {

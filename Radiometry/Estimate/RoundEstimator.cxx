@@ -61,10 +61,10 @@ public:
 
 private:
   PieceSamples pieces_;
-  const SeenDisk& seen_;
+  SeenDisk seen_;
   bool endless_;
   const SphereSource* sphere_; ///< null: the light is in the plane, or endless
-  const Vec3& eye_;
+  Vec3 eye_;
 };
 
 } // namespace
@@ -202,17 +202,10 @@ Estimate RoundEstimator::estimate(
     }
     return result;
   }
-  const RoundSamples samples(
-    PieceSamples(workspace.cut.undecided, 1.0), *seen, front.endless, this->sphere_, view.eye);
-  const RaySample sampled =
-    workspace.sampler.run(view, open, certain.main, samples, this->scene_.sampling(tolerance));
-  result.value = certain;
-  result.value.add(sampled.value);
-  result.lower = std::max(certain.main, result.value.main - sampled.halfWidth);
-  result.upper = std::min(certain.main + open.main, result.value.main + sampled.halfWidth);
-  result.method = EstimateMethod::Sampling;
-  result.rays = sampled.rays;
-  result.missed = sampled.missed;
+  sample(view, certain, open, tolerance,
+    std::make_shared<const RoundSamples>(
+      PieceSamples(workspace.cut.undecided, 1.0), *seen, front.endless, this->sphere_, view.eye),
+    workspace, result);
   return result;
 }
 

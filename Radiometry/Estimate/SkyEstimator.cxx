@@ -78,7 +78,7 @@ void addHemisphere(const Vec3& axis, const View& view, std::vector<ConePiece>& p
 SkyEstimator::SkyEstimator(const SkySource& sky, const EstimateScene& scene)
   : SourceEstimatorBase(sky, scene)
   , sky_(sky)
-  , samples_(sky)
+  , samples_(std::make_shared<const RadianceSkySamples>(sky))
   , radiance_(linearRadiance(sky))
 {
   if (scene.occluders && scene.options.horizon && this->radiance_ && sky.groundRadiance() == 0.0 &&
@@ -185,8 +185,8 @@ Estimate SkyEstimator::estimate(
     }
     if (CosineSkySamples::suits(this->sky_, view))
     {
-      return this->sampleAll(
-        view, result, tolerance, CosineSkySamples(this->sky_, view.normal), workspace);
+      return this->sampleAll(view, result, tolerance,
+        std::make_shared<const CosineSkySamples>(this->sky_, view.normal), workspace);
     }
     return this->sampleAll(view, result, tolerance, workspace);
   }

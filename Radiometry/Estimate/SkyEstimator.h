@@ -26,8 +26,8 @@ private:
     const View& view, double tolerance, EstimateWorkspace& workspace, Estimate& result) const;
 
   const SkySource& sky_;
-  RadianceSkySamples samples_;            ///< of level ground
-  std::optional<PieceRadiance> radiance_; ///< of the sky, where it is of that form
+  std::shared_ptr<const RadianceSkySamples> samples_; ///< of level ground
+  std::optional<PieceRadiance> radiance_;             ///< of the sky, where it is of that form
   std::optional<Skyline> skyline_;
 };
 

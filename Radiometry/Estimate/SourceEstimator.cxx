@@ -12,20 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lumitree
 {
-
-void Estimate::add(const Estimate& other)
-{
-  this->value.add(other.value);
-  this->lower += other.lower;
-  this->upper += other.upper;
-  this->unoccluded += other.unoccluded;
-  this->method = std::max(this->method, other.method);
-  this->rays += other.rays;
-  this->missed = this->missed || other.missed;
-}
 
 bool SourceEstimatorBase::find(
   const View& view, std::size_t limit, EstimateWorkspace& workspace) const
@@ -81,23 +71,27 @@ Estimate SourceEstimatorBase::unoccluded(const View& view, EstimateWorkspace&) c
 Estimate SourceEstimatorBase::sampleAll(
   const View& view, const Estimate& full, double tolerance, EstimateWorkspace& workspace) const
 {
-  return this->sampleAll(
-    view, full, tolerance, WholeSourceSamples(this->source_, view.eye), workspace);
+  return this->sampleAll(view, full, tolerance,
+    std::make_shared<const WholeSourceSamples>(this->source_, view.eye), workspace);
 }
 
 Estimate SourceEstimatorBase::sampleAll(const View& view, const Estimate& full, double tolerance,
-  const LightSamples& samples, EstimateWorkspace& workspace) const
+  std::shared_ptr<const LightSamples> samples, EstimateWorkspace& workspace) const
 {
-  const RaySample sampled =
-    workspace.sampler.run(view, full.value, 0.0, samples, this->scene_.sampling(tolerance));
   Estimate result = full;
-  result.value = sampled.value;
-  result.lower = std::max(0.0, sampled.value.main - sampled.halfWidth);
-  result.upper = std::min(full.unoccluded, sampled.value.main + sampled.halfWidth);
-  result.method = EstimateMethod::Sampling;
-  result.rays = sampled.rays;
-  result.missed = sampled.missed;
+  sample(view, {}, full.value, tolerance, std::move(samples), workspace, result);
   return result;
+}
+
+void SourceEstimatorBase::sample(const View& view, const Amounts& certain, const Amounts& open,
+  double tolerance, std::shared_ptr<const LightSamples> samples, EstimateWorkspace& workspace,
+  Estimate& result)
+{
+  workspace.sampler.add(
+    { view, open, certain.main, tolerance, std::move(samples), workspace.result });
+  result.value = certain;
+  result.lower = certain.main;
+  result.upper = certain.main;
 }
 
 std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
@@ -110,7 +104,7 @@ std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
     std::min(1.0, measuredAt / std::max(relative, 1e-6)) * this->options.mostClipped);
 }
 
-RaySamplerOptions EstimateScene::sampling(double tolerance) const
+RaySamplerOptions EstimateScene::sampling() const
 {
   RaySamplerOptions result;
   result.occluders = this->occluders;
@@ -121,7 +115,6 @@ RaySamplerOptions EstimateScene::sampling(double tolerance) const
     this->occluders->supports(Precision::Exact) && this->occluders->surface().bodyCount() == 0;
   result.precision = sooner ? Precision::Exact : this->options.precision;
   result.relativeTolerance = this->options.relativeTolerance;
-  result.absoluteTolerance = tolerance;
   result.maximumRays = this->options.maximumRays;
   return result;
 }

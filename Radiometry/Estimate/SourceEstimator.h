@@ -5,6 +5,7 @@
 
 #include "Radiometry/Estimate/Amounts.h"
 #include "Radiometry/Estimate/ConePieces.h"
+#include "Radiometry/Estimate/Estimate.h"
 #include "Radiometry/Estimate/PieceLight.h"
 #include "Radiometry/Estimate/RaySampler.h"
 #include "Radiometry/Estimate/Skyline.h"
@@ -17,20 +18,6 @@
 namespace lumitree
 {
 
-/// Light of one source in one view.
-struct Estimate
-{
-  Amounts value;
-  double lower = 0.0; ///< of value.main
-  double upper = 0.0;
-  double unoccluded = 0.0; ///< main
-  EstimateMethod method = EstimateMethod::None;
-  std::uint32_t rays = 0;
-  bool missed = false; ///< the tolerance
-
-  void add(const Estimate& other);
-};
-
 /// Memory that estimates on one thread use again.
 struct EstimateWorkspace
 {
@@ -41,7 +28,8 @@ struct EstimateWorkspace
   VisiblePieces cut;
   ConeSubtraction subtraction;
   Skyline::Scratch skyline;
-  RaySampler sampler;
+  RaySampler sampler;         ///< where rays are queued
+  Estimate* result = nullptr; ///< of the view being estimated: what rays find is added to it
 };
 
 /// What estimates of all receivers share.
@@ -56,7 +44,7 @@ struct EstimateScene
   /// of a light that is `unoccluded` with nothing in the way.
   [[nodiscard]] std::size_t mostClipped(double absolute, double unoccluded) const;
 
-  [[nodiscard]] RaySamplerOptions sampling(double absoluteTolerance) const;
+  [[nodiscard]] RaySamplerOptions sampling() const;
 };
 
 /// The flat front of a light, behind which nothing hides it, as what hides it is looked for.
@@ -82,7 +70,8 @@ class SourceEstimator
 public:
   virtual ~SourceEstimator() = default;
 
-  /// tolerance: absolute, of value.main, beside the relative one.
+  /// tolerance: absolute, of value.main, beside the relative one. Where rays are needed they are
+  /// queued in the workspace, and what is returned is all but what they will find.
   [[nodiscard]] virtual Estimate estimate(
     const View& view, double tolerance, EstimateWorkspace& workspace) const = 0;
 };
@@ -112,14 +101,19 @@ protected:
   /// The closed form: nothing hides.
   [[nodiscard]] Estimate unoccluded(const View& view, EstimateWorkspace& workspace) const;
 
-  /// Rays to the whole source, given its closed form; in directions that the source draws, or in
-  /// those given.
+  /// Queues rays to the whole source, given its closed form; in directions that the source draws,
+  /// or in those given.
   ///@{
   [[nodiscard]] Estimate sampleAll(
     const View& view, const Estimate& full, double tolerance, EstimateWorkspace& workspace) const;
   [[nodiscard]] Estimate sampleAll(const View& view, const Estimate& full, double tolerance,
-    const LightSamples& samples, EstimateWorkspace& workspace) const;
+    std::shared_ptr<const LightSamples> samples, EstimateWorkspace& workspace) const;
   ///@}
+
+  /// Queues rays to what is open, beside the light that is certain; sets the result to the latter.
+  static void sample(const View& view, const Amounts& certain, const Amounts& open,
+    double tolerance, std::shared_ptr<const LightSamples> samples, EstimateWorkspace& workspace,
+    Estimate& result);
 
   const Source& source_;
   const EstimateScene& scene_;
