@@ -259,6 +259,37 @@ TEST(Overlap, DegenerateRegions)
   }
 }
 
+/// Half-spaces that a triangle touches with one vertex: the smallest double that is not below its
+/// exact n · x is the offset, so that floating point may well find all three beyond.
+TEST(Overlap, WhatAPlaneTouchesObliquelyIsKept)
+{
+  for (const auto& surface : scenes())
+  {
+    const auto all = allOver(surface);
+    const std::vector<PrimitiveId>& hittable = surface->hittable();
+    Uniform uniform(9);
+    for (int i = 0; i < 60; ++i)
+    {
+      const PrimitiveId id = hittable[uniform.index(hittable.size())];
+      HalfSpace half = { { uniform(-1, 1), uniform(-1, 1), uniform(-1, 1) }, 0.0 };
+      const auto corners = surface->vertices(id);
+      const Rational least =
+        std::min({ height(half, corners[0]), height(half, corners[1]), height(half, corners[2]) });
+      half.offset = least.convert_to<double>();
+      while (rational(half.offset) < least)
+      {
+        half.offset = std::nextafter(half.offset, inf);
+      }
+      for (const auto& accelerator : all)
+      {
+        const std::vector<PrimitiveId> found = overlapOf(*accelerator, { half });
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), id))
+          << label(accelerator->options());
+      }
+    }
+  }
+}
+
 TEST(Overlap, MoreHalfSpacesThanNodesAreTestedAgainst)
 {
   const auto surface = surfaceOf<float>(data::teapot(3));
