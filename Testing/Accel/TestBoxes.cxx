@@ -225,6 +225,39 @@ TEST(Boxes, SubnormalDirectionsStillPassBesideSlabs)
     RayBox(Ray{ { 0.5, 0.5, 0 }, { 0, 0, -0x1p-1000 }, -infinity }).meets(far, infinity, tEnter));
 }
 
+/// Few numbers, so that rays run in planes, beside boxes and through their corners all the time.
+TEST(Boxes, TwoAtOnceAreMetAsEachAlone)
+{
+  const double numbers[] = { 0.0, -0.0, 1.0, -1.0, 0.5, 3.0, 0x1p-1030, -0x1p-1030, 0x1p-1000,
+    0x1p100, -0x1p100 };
+  const double limits[] = { -infinity, 0.0, 0.5, 2.0, infinity };
+  Uniform uniform(12);
+  const auto any = [&] { return numbers[uniform.index(std::size(numbers))]; };
+  const auto point = [&] { return Vec3{ any(), any(), any() }; };
+  std::size_t met[4] = {};
+  for (int i = 0; i < 200000; ++i)
+  {
+    const RayBox ray(Ray{ point(), point(), limits[uniform.index(3)] });
+    const double tStop = limits[1 + uniform.index(4)];
+    Box boxes[2];
+    for (Box& box : boxes)
+    {
+      box.extend(point());
+      box.extend(point());
+    }
+    double entered[2] = {};
+    double alone[2] = {};
+    const unsigned both = ray.meetPair(boxes[0], boxes[1], tStop, entered);
+    for (unsigned b : { 0u, 1u })
+    {
+      ASSERT_EQ(ray.meets(boxes[b], tStop, alone[b]), (both >> b & 1u) != 0) << i;
+      ASSERT_TRUE((both >> b & 1u) == 0 || alone[b] == entered[b]) << i;
+    }
+    ++met[both];
+  }
+  EXPECT_GT(*std::min_element(met, met + 4), 1000u);
+}
+
 TEST(Boxes, EmptyBoxIsNeverMet)
 {
   double tEnter = 0.0;
