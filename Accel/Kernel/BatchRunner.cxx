@@ -36,17 +36,16 @@ public:
     , options_(options)
     , states_(mostTravellers, RayState(runner.surface_))
   {
-    // Fast takes floating point at its word; the others settle whatever it is not certain about.
-    const bool certain = options.precision != Precision::Fast;
     const ArrayView::Scalar scalar = runner.surface_.scalar();
     for (RayState& state : this->states_)
     {
       state.settle = settleFunction(options.precision, query, runner.surface_.bodyCount() > 0);
+      state.anyHit = query == QueryKind::Any;
     }
-    this->leafKernel_ = leafKernel(scalar, certain);
+    this->leafKernel_ = leafKernel(scalar);
     if (runner.walks_.kernel)
     {
-      this->rayKernel_ = runner.walks_.kernel(scalar, certain);
+      this->rayKernel_ = runner.walks_.kernel(scalar);
     }
     if (runner.goTogether(rays, query, options))
     {
@@ -261,12 +260,12 @@ bool BatchRunner::goTogether(
 {
   const bool counting = options.perRay || options.perNode || options.perPrimitive;
   return this->walks_.bundle && !counting && !options.roundedT &&
-    (query == QueryKind::Closest || query == QueryKind::Any) &&
-    this->surface_.bodyCount() == 0 && BundlePlan::mayPay(rays);
+    (query == QueryKind::Closest || query == QueryKind::Any) && this->surface_.bodyCount() == 0 &&
+    BundlePlan::mayPay(rays);
 }
 
 QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
-  const std::function<void(std::size_t, std::size_t, Chunk&)>& body) const
+  const Clear& clear, const Body& body) const
 {
   if (options.roundedT && options.precision != Precision::Exact)
   {
@@ -283,21 +282,32 @@ QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryO
     : std::max(raysPerChunk, counted / 4);
   QueryReport report;
   std::mutex mutex;
+  std::vector<std::uint8_t> reached((rays.size + chunk - 1) / chunk, 0);
   report.completed = parallelFor(rays.size, chunk, options.threads, options.control,
     [&](std::size_t begin, std::size_t end)
     {
+      reached[begin / chunk] = 1;
+      clear(begin, end);
       Chunk work(*this, rays, query, options);
       body(begin, end, work);
       const std::lock_guard<std::mutex> lock(mutex);
       work.addTo(report);
     });
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    if (reached[i] == 0)
+    {
+      clear(i * chunk, std::min(rays.size, (i + 1) * chunk));
+    }
+  }
   return report;
 }
 
 QueryReport BatchRunner::closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const
 {
-  std::fill_n(hits, rays.size, Hit{});
-  return this->run(rays, QueryKind::Closest, options,
+  return this->run(
+    rays, QueryKind::Closest, options,
+    [&](std::size_t begin, std::size_t end) { std::fill(hits + begin, hits + end, Hit{}); },
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       work.trace(begin, end, false,
@@ -315,8 +325,10 @@ QueryReport BatchRunner::closest(const RayBatch& rays, Hit* hits, const QueryOpt
 QueryReport BatchRunner::any(
   const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const
 {
-  std::fill_n(hit, rays.size, std::uint8_t{ 0 });
-  return this->run(rays, QueryKind::Any, options,
+  return this->run(
+    rays, QueryKind::Any, options,
+    [&](std::size_t begin, std::size_t end)
+    { std::fill(hit + begin, hit + end, std::uint8_t{ 0 }); },
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       work.trace(begin, end, false,
@@ -350,7 +362,8 @@ QueryReport BatchRunner::crossings(
   {
     throw UnsupportedQuery("the query '" + std::string(name(QueryKind::Crossings)) +
       "' counts passages through what is known everywhere; this surface has implicits that are "
-      "only sampled: " + std::to_string(this->surface_.sampledCount()));
+      "only sampled: " +
+      std::to_string(this->surface_.sampledCount()));
   }
   return this->numbers(rays, QueryKind::Crossings, counts, options);
 }
@@ -358,8 +371,10 @@ QueryReport BatchRunner::crossings(
 QueryReport BatchRunner::numbers(
   const RayBatch& rays, QueryKind query, std::uint32_t* counts, const QueryOptions& options) const
 {
-  std::fill_n(counts, rays.size, std::uint32_t{ 0 });
-  return this->run(rays, query, options,
+  return this->run(
+    rays, query, options,
+    [&](std::size_t begin, std::size_t end)
+    { std::fill(counts + begin, counts + end, std::uint32_t{ 0 }); },
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       work.trace(begin, end, false,
@@ -397,7 +412,8 @@ QueryReport BatchRunner::lists(
   std::vector<Part> parts;
   std::mutex mutex;
   out.offsets.assign(rays.size + 1, 0);
-  const QueryReport report = this->run(rays, query, options,
+  const QueryReport report = this->run(
+    rays, query, options, [](std::size_t, std::size_t) {},
     [&](std::size_t begin, std::size_t end, Chunk& work)
     {
       Part part{ begin, {} };

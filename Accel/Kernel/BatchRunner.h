@@ -66,9 +66,13 @@ private:
   QueryReport numbers(const RayBatch& rays, QueryKind query, std::uint32_t* counts,
     const QueryOptions& options) const;
 
-  /// Calls body for each chunk of rays and gathers the chunks' reports.
+  using Clear = std::function<void(std::size_t begin, std::size_t end)>;
+  using Body = std::function<void(std::size_t begin, std::size_t end, Chunk&)>;
+
+  /// Calls clear and then body for each chunk of rays and gathers the chunks' reports; only clear
+  /// for those that are not reached.
   QueryReport run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
-    const std::function<void(std::size_t begin, std::size_t end, Chunk&)>& body) const;
+    const Clear& clear, const Body& body) const;
 
   const Surface& surface_;
   const void* structure_;

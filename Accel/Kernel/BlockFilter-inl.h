@@ -55,8 +55,8 @@ struct SeenEdges
   /// The edge opposite to vertex i ends in vertex pointOf[i].
   static constexpr int pointOf[3] = { 1, 0, 0 };
 
-  /// Returns the largest of the points' components if it is asked for.
-  template <bool Largest, class T>
+  /// Returns the largest of the points' components.
+  template <class T>
   HWY_INLINE Double4 from(const Vec3& origin, const TriangleBlock<T>& block)
   {
     Double4 largest = Double4::all(0.0);
@@ -74,10 +74,7 @@ struct SeenEdges
       for (int i = 0; i < 2; ++i)
       {
         this->point[i][k] = vertex[i] - Double4::all(origin[k]);
-        if constexpr (Largest)
-        {
-          largest = raise(absolute(this->point[i][k]), largest);
-        }
+        largest = raise(absolute(this->point[i][k]), largest);
       }
     }
     return largest;
@@ -87,10 +84,9 @@ struct SeenEdges
   Double4 point[2][3];
 };
 
-/// The lanes of a block that the precision may count as hit, as bits. Certain: lanes whose edge
-/// functions certainly have both signs are out. Otherwise (Fast) lanes whose edge functions have
-/// both signs are out.
-template <bool Certain, class T>
+/// The lanes of a block that a precision may count as hit, as bits: lanes whose edge functions
+/// certainly have both signs are out.
+template <class T>
 HWY_INLINE unsigned candidateLanes(
   const FilterRay& ray, const TriangleBlock<T>& block, BlockEdges& edges)
 {
@@ -100,20 +96,16 @@ HWY_INLINE unsigned candidateLanes(
     d[k] = Double4::all(ray.direction[k]);
   }
   SeenEdges seen;
-  const Double4 m = seen.from<Certain>(ray.origin, block);
+  const Double4 m = seen.from(ray.origin, block);
   auto& f = edges.f;
   for (int i = 0; i < 3; ++i)
   {
     f[i] = edgeFunctions(d, seen.edge[i], seen.point[SeenEdges::pointOf[i]]);
   }
   auto& error = edges.error;
-  error = Double4::all(0.0);
-  if constexpr (Certain)
-  {
-    error = Double4::all(2.0 * block.edge) * m * Double4::all(ray.oneNorm) *
-        Double4::all(FilterRay::edgeBound / 2) +
-      Double4::all(ray.boundFloor);
-  }
+  error = Double4::all(2.0 * block.edge) * m * Double4::all(ray.oneNorm) *
+      Double4::all(FilterRay::edgeBound / 2) +
+    Double4::all(ray.boundFloor);
   const Double4 below = Double4::all(0.0) - error;
   const auto negative = lower(f[0], lower(f[1], f[2])) < below;
   const auto positive = error < raise(f[0], raise(f[1], f[2]));

@@ -53,7 +53,7 @@ template <class T>
 HWY_INLINE void see(const RayBundle& bundle, const TriangleBlock<T>& block, SeenBlock& seen)
 {
   SeenEdges edges;
-  const Double4 m = edges.from<true>(bundle.origin, block);
+  const Double4 m = edges.from(bundle.origin, block);
   for (int i = 0; i < 3; ++i)
   {
     const Double4* const e = edges.edge[i];

@@ -34,6 +34,15 @@ inline int dominantAxis(const Vec3& a)
   return std::fabs(a[axis]) >= std::fabs(a[2]) ? axis : 2;
 }
 
+/// Three vertices' coordinates along a ray's axis: all of a triangle that t depends on beside its
+/// edge functions.
+using Along = std::array<double, 3>;
+
+inline Along along(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+{
+  return { vertices[0][ray.axis], vertices[1][ray.axis], vertices[2][ray.axis] };
+}
+
 /// The edge functions of one triangle, by the arithmetic of the block filter: the same bits.
 inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
@@ -62,12 +71,12 @@ inline EdgeValues edgeValues(const FilterRay& ray, const std::array<Vec3, 3>& ve
 /// ray is. With weights w_i, each wrong by e at most, and S their sum, the mean is wrong by at most
 /// 3 e R / (S - 3 e), R the range of the vertices' values; what differences, shares and sums round
 /// is below 10 u max|a|, u = 2^-53, and the pad for it 16 u max|a|.
-inline Crossing crossing(
-  const FilterRay& ray, const std::array<Vec3, 3>& vertices, const EdgeValues& e)
+[[gnu::always_inline]] inline Crossing crossing(
+  const FilterRay& ray, const Along& vertices, const EdgeValues& e)
 {
   const int k = ray.axis;
-  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
-    vertices[2][k] - ray.origin[k] };
+  const std::array<double, 3> a = { vertices[0] - ray.origin[k], vertices[1] - ray.origin[k],
+    vertices[2] - ray.origin[k] };
 
   // Weights of the majority's sign; what rounding put on the other side is 0 within its error.
   const double sign = e.u + e.v + e.w >= 0.0 ? 1.0 : -1.0;
@@ -114,13 +123,25 @@ inline Crossing crossing(
   return x;
 }
 
+/// Whether the crossing, if there is one, is certainly between the ray's limits, or beyond one.
+///@{
+inline bool surelyBetween(const FilterRay& ray, const Crossing& x)
+{
+  return x.tLow >= ray.tMin && x.tHigh <= ray.tMax;
+}
+inline bool surelyBeyond(const FilterRay& ray, const Crossing& x)
+{
+  return x.tHigh < ray.tMin || x.tLow > ray.tMax;
+}
+///@}
+
 /// Whether the whole triangle certainly lies between the ray's limits along its dominant axis: by
 /// the bounds of `crossing`, where no weight narrows them.
-inline bool surelyBetweenLimits(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
+inline bool surelyBetweenLimits(const FilterRay& ray, const Along& vertices)
 {
-  const int k = ray.axis;
-  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],
-    vertices[2][k] - ray.origin[k] };
+  const double origin = ray.origin[ray.axis];
+  const std::array<double, 3> a = { vertices[0] - origin, vertices[1] - origin,
+    vertices[2] - origin };
   const double low = std::min(std::min(a[0], a[1]), a[2]);
   const double high = std::max(std::max(a[0], a[1]), a[2]);
   const double rounding = 0x1p-49 * std::max(std::fabs(low), std::fabs(high)) + 0x1p-1020;
@@ -136,7 +157,7 @@ inline bool surelyBetweenLimits(const FilterRay& ray, const std::array<Vec3, 3>&
 /// Where the ray crosses the triangle, with the triangle's own bound.
 inline Crossing crossing(const FilterRay& ray, const std::array<Vec3, 3>& vertices)
 {
-  return crossing(ray, vertices, edgeValues(ray, vertices));
+  return crossing(ray, along(ray, vertices), edgeValues(ray, vertices));
 }
 
 } // namespace lumitree

@@ -13,7 +13,8 @@ namespace lumitree
 
 /// Hits of one implicit within the limits of the ray, in the order of t: all, or the first. A pure
 /// function of ray, implicit and precision, except that what begins beyond state.tStop is passed
-/// over, and what has been asked for along this ray is not given again. Fast leaves out what is not certain and has no change of sign either.
+/// over, and what has been asked for along this ray is not given again. Fast leaves out what is not
+/// certain and has no change of sign either.
 [[nodiscard]] std::vector<Candidate> implicitHits(
   RayState& state, PrimitiveId primitive, Precision precision, bool everyRoot);
 

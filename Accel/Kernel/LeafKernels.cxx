@@ -15,16 +15,16 @@ namespace lumitree
 namespace HWY_NAMESPACE
 {
 
-LeafKernel chooseLeafKernel(ArrayView::Scalar scalar, bool certain)
+LeafKernel chooseLeafKernel(ArrayView::Scalar scalar)
 {
-  return withChoices(scalar, certain,
-    [](auto t, auto isCertain) -> LeafKernel
+  return withScalar(scalar,
+    [](auto t) -> LeafKernel
     {
       return [](RayState& state, const void* store, const Span& span) HWY_ATTR
       {
         using T = decltype(t);
         const auto& blocks = *static_cast<const TriangleBlocks<T>*>(store);
-        testLeaf<decltype(isCertain)::value>(state, blocks, span);
+        testLeaf(state, blocks, span);
       };
     });
 }
@@ -39,9 +39,9 @@ namespace lumitree
 
 HWY_EXPORT(chooseLeafKernel);
 
-LeafKernel leafKernel(ArrayView::Scalar scalar, bool certain)
+LeafKernel leafKernel(ArrayView::Scalar scalar)
 {
-  return HWY_DYNAMIC_DISPATCH(chooseLeafKernel)(scalar, certain);
+  return HWY_DYNAMIC_DISPATCH(chooseLeafKernel)(scalar);
 }
 
 } // namespace lumitree

@@ -13,9 +13,8 @@ namespace lumitree
 using LeafKernel = void (*)(RayState& state, const void* blocks, const Span& span);
 
 /// The kernel for a scalar type, for the best instruction set at hand. It stands behind a pointer,
-/// so that structures do not multiply with it. A certain kernel keeps all that floating point
-/// cannot rule out, the other what looks like a hit.
-[[nodiscard]] LeafKernel leafKernel(ArrayView::Scalar scalar, bool certain);
+/// so that structures do not multiply with it. It keeps all that floating point cannot rule out.
+[[nodiscard]] LeafKernel leafKernel(ArrayView::Scalar scalar);
 
 } // namespace lumitree
 

@@ -11,17 +11,14 @@
 #include "Accel/Kernel/BlockFilter-inl.h"
 #include "Accel/Kernel/RayState.h"
 
-#include <type_traits>
-
 HWY_BEFORE_NAMESPACE();
 namespace lumitree
 {
 namespace HWY_NAMESPACE
 {
 
-/// Filters the primitives of a leaf and has the candidates settled. Certain is as in
-/// candidateLanes.
-template <bool Certain, class T>
+/// Filters the primitives of a leaf and has the candidates settled.
+template <class T>
 HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const Span& span)
 {
   const std::uint32_t blockCount = (span.count + blockWidth - 1) / blockWidth;
@@ -29,29 +26,24 @@ HWY_INLINE void testLeaf(RayState& state, const TriangleBlocks<T>& blocks, const
   {
     const TriangleBlock<T>& block = blocks[span.firstBlock + b];
     BlockEdges edges;
-    unsigned candidates = candidateLanes<Certain>(state.ray, block, edges);
+    unsigned candidates = candidateLanes(state.ray, block, edges);
     for (; candidates != 0; candidates &= candidates - 1)
     {
       const auto lane = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(candidates));
       if (block.id[lane] != noPrimitive)
       {
-        if constexpr (Certain)
-        {
-          edges.store(lane, state.edges);
-        }
-        state.settle(state, block.corners(lane), block.id[lane]);
+        edges.store(lane, state.edges);
+        state.settle(state, block.along(state.ray.axis, lane), block.id[lane]);
       }
     }
   }
 }
 
-/// Calls f(T, certain) with a type and a compile-time constant in place of the choices.
+/// Calls f(T) with a type in place of the choice.
 template <class F>
-auto withChoices(ArrayView::Scalar scalar, bool certain, F f)
+auto withScalar(ArrayView::Scalar scalar, F f)
 {
-  const auto withScalar = [&](auto isCertain)
-  { return scalar == ArrayView::Scalar::Float ? f(float{}, isCertain) : f(double{}, isCertain); };
-  return certain ? withScalar(std::true_type{}) : withScalar(std::false_type{});
+  return scalar == ArrayView::Scalar::Float ? f(float{}) : f(double{});
 }
 
 } // namespace HWY_NAMESPACE

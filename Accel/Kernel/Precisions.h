@@ -22,16 +22,19 @@ namespace lumitree
 /// other boxes the structure put around the primitive.
 struct OrderByKey
 {
-  static bool place(RayState& state, const Corners& vertices, const Crossing& x, Candidate& c)
+  /// Whether the ray meets the box of the candidate's triangle; if so, the candidate has its key.
+  /// A triangle certainly met at a t that is known closer than its box is padded needs no look at
+  /// the box: the exact t is between those at which the ray enters and leaves it, and tEnter is
+  /// below that by the pad.
+  [[gnu::always_inline]] static inline bool place(RayState& state, const Crossing& x, Candidate& c)
   {
     c.take(x);
-    Box box;
-    for (const Vec3& vertex : vertices)
+    if (surelyHit(x.edges) && x.tHigh - x.tLow <= 0.5 * RayBox::relativePad * std::fabs(x.t))
     {
-      box.extend(vertex);
+      return true;
     }
     double tEnter = 0.0;
-    const bool met = state.box().meets(box, state.ray.tMax, tEnter);
+    const bool met = meetsBox(state, c.primitive, tEnter);
     c.key = std::max(x.t, tEnter);
     return met;
   }
@@ -48,6 +51,18 @@ struct OrderByKey
   }
 
   static double stopAt(const Candidate& c) { return c.key; }
+
+private:
+  [[gnu::noinline, gnu::cold]] static bool meetsBox(
+    RayState& state, PrimitiveId triangle, double& tEnter)
+  {
+    Box box;
+    for (const Vec3& vertex : state.surface.vertices(triangle))
+    {
+      box.extend(vertex);
+    }
+    return state.box().meets(box, state.ray.tMax, tEnter);
+  }
 };
 
 /// Floating point as it comes: a hit and its t are what double arithmetic says.
@@ -55,11 +70,12 @@ struct FastPrecision : OrderByKey
 {
   static constexpr Precision precision = Precision::Fast;
 
-  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
+  [[gnu::always_inline]] static inline bool settle(
+    RayState& state, const Along& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.ray, vertices);
+    const Crossing x = crossing(state.ray, vertices, state.edges);
     return apparentlyHit(x.edges) && std::isfinite(x.t) && x.t >= state.ray.tMin &&
-      x.t <= state.ray.tMax && place(state, vertices, x, c);
+      x.t <= state.ray.tMax && place(state, x, c);
   }
 };
 
@@ -69,13 +85,23 @@ struct WatertightPrecision : OrderByKey
 {
   static constexpr Precision precision = Precision::Watertight;
 
-  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
+  [[gnu::always_inline]] static inline bool settle(
+    RayState& state, const Along& vertices, Candidate& c)
   {
-    const Crossing x = crossing(state.ray, vertices);
-    state.exactTests += surelyHit(x.edges) ? 0 : 1;
+    const Crossing x = crossing(state.ray, vertices, state.edges);
+    if (surelyBeyond(state.ray, x))
+    {
+      return false;
+    }
+    if (surelyHit(x.edges) && surelyBetween(state.ray, x))
+    {
+      return std::isfinite(x.t) && place(state, x, c);
+    }
     // By the triangle's own bound: a block's depends on which triangles share it.
-    return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh >= state.ray.tMin &&
-      x.tLow <= state.ray.tMax && place(state, vertices, x, c);
+    const Crossing own = crossing(state.ray, state.surface.vertices(c.primitive));
+    state.exactTests += surelyHit(own.edges) ? 0 : 1;
+    return !surelyMissed(own.edges) && std::isfinite(own.t) && own.tHigh >= state.ray.tMin &&
+      own.tLow <= state.ray.tMax && place(state, own, c);
   }
 };
 
@@ -85,25 +111,13 @@ struct ExactPrecision
 {
   static constexpr Precision precision = Precision::Exact;
 
-  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
+  [[gnu::always_inline]] static inline bool settle(
+    RayState& state, const Along& vertices, Candidate& c)
   {
     const Crossing x = crossing(state.ray, vertices, state.edges);
-    if (!surelyHit(x.edges))
-    {
-      if (surelyMissed(x.edges))
-      {
-        return false;
-      }
-      ++state.exactTests;
-      if (!exact::lineMeetsTriangle(state.ray, vertices))
-      {
-        return false;
-      }
-    }
     c.take(x);
-    c.key = x.t;
-    return std::isfinite(x.t) && atLeast(state, vertices, x, state.ray.tMin) &&
-      atMost(state, vertices, x);
+    return std::isfinite(x.t) && !surelyBeyond(state.ray, x) &&
+      ((surelyHit(x.edges) && surelyBetween(state.ray, x)) || settleExactly(state, x, c.primitive));
   }
 
   static int compare(RayState& state, const Candidate& a, const Candidate& b)
@@ -132,6 +146,25 @@ struct ExactPrecision
   static double stopAt(const Candidate& c) { return c.tHigh; }
 
 private:
+  [[gnu::noinline, gnu::cold]] static bool settleExactly(
+    RayState& state, const Crossing& x, PrimitiveId triangle)
+  {
+    if (surelyMissed(x.edges))
+    {
+      return false;
+    }
+    const Corners vertices = state.surface.vertices(triangle);
+    if (!surelyHit(x.edges))
+    {
+      ++state.exactTests;
+      if (!exact::lineMeetsTriangle(state.ray, vertices))
+      {
+        return false;
+      }
+    }
+    return atLeast(state, vertices, x, state.ray.tMin) && atMost(state, vertices, x);
+  }
+
   static bool atLeast(RayState& state, const Corners& vertices, const Crossing& x, double limit)
   {
     if (x.tLow >= limit)
@@ -166,8 +199,9 @@ private:
 /// the definition, so structures visit it.
 struct ExactPassage
 {
-  static bool settle(RayState& state, const Corners& vertices, Candidate& c)
+  static bool settle(RayState& state, const Along&, Candidate& c)
   {
+    const Corners vertices = state.surface.vertices(c.primitive);
     const Crossing x = crossing(state.ray, vertices);
     if (!surelyHit(x.edges))
     {
@@ -182,7 +216,6 @@ struct ExactPassage
       }
     }
     c.take(x);
-    c.key = x.t;
     return std::isfinite(x.t) && isBeyond(state, vertices, x, state.ray.tMin) &&
       !isBeyond(state, vertices, x, state.ray.tMax);
   }

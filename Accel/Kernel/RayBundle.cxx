@@ -80,7 +80,7 @@ bool RayBundle::settleBest(int i)
   const Corners corners = s.surface.vertices(this->primitive[i]);
   const std::uint64_t before = s.exactTests;
   s.edges = edgeValues(s.ray, corners);
-  s.settle(s, corners, this->primitive[i]);
+  s.settle(s, along(s.ray, corners), this->primitive[i]);
   s.exactTests = before;
   return s.best.primitive != noPrimitive;
 }
@@ -95,7 +95,7 @@ void RayBundle::settle(int i, const Corners& corners, PrimitiveId id)
     this->failed |= bit;
   }
   s.edges = edgeValues(s.ray, corners);
-  s.settle(s, corners, id);
+  s.settle(s, along(s.ray, corners), id);
   const Candidate& best = s.best;
   if (best.primitive == noPrimitive)
   {

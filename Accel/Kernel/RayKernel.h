@@ -28,8 +28,8 @@ inline constexpr int mostTravellers = 3;
 using RayKernel = void (*)(
   const void* structure, const void* blocks, RayState* states, int count, const RayFeed& feed);
 
-/// Chooses the kernel for a scalar type; certain is as in leafKernel.
-using RayKernelChooser = RayKernel (*)(ArrayView::Scalar, bool certain);
+/// Chooses the kernel for a scalar type.
+using RayKernelChooser = RayKernel (*)(ArrayView::Scalar);
 
 } // namespace lumitree
 

@@ -28,6 +28,7 @@ struct Candidate
 
   void take(const Crossing& x)
   {
+    this->key = x.t;
     this->t = x.t;
     this->tLow = x.tLow;
     this->tHigh = x.tHigh;
@@ -36,12 +37,12 @@ struct Candidate
   }
 };
 
-struct RayState;
-
 using Corners = std::array<Vec3, 3>;
 
-/// Decides about one primitive that the filter could not rule out; corners are its vertices.
-using SettleFunction = void (*)(RayState& state, const Corners& corners, PrimitiveId primitive);
+struct RayState;
+
+/// Decides about one primitive that the filter could not rule out; vertices are a triangle's.
+using SettleFunction = void (*)(RayState& state, const Along& vertices, PrimitiveId primitive);
 
 /// All that one ray carries through a structure. Reused from ray to ray, so that found keeps its
 /// memory.
@@ -94,8 +95,9 @@ struct RayState
   const Surface& surface;
   std::size_t index = 0; ///< of the ray in its batch
   SettleFunction settle = nullptr;
+  bool anyHit = false; ///< any hit answers the query, so nearer ones need not come first
   FilterRay ray;
-  EdgeValues edges; ///< of the candidate to be settled, with its block's bound; not for Fast
+  EdgeValues edges; ///< of the candidate to be settled, with its block's bound
   const PrimitiveId* skipFirst = nullptr;
   const PrimitiveId* skipLast = nullptr;
 

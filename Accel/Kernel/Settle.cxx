@@ -14,21 +14,21 @@ namespace
 {
 
 template <class PrecisionPolicy, class Query>
-void settleCandidate(RayState& state, const Corners& corners, PrimitiveId primitive)
+void settleCandidate(RayState& state, const Along& vertices, PrimitiveId primitive)
 {
   Candidate c;
   c.primitive = primitive;
-  if constexpr (std::is_same_v<PrecisionPolicy, ExactPrecision> && std::is_same_v<Query, AnyQuery>)
+  if constexpr (std::is_same_v<Query, AnyQuery>)
   {
     // Where is not asked.
-    if (surelyHit(state.edges) && surelyBetweenLimits(state.ray, corners) &&
+    if (surelyHit(state.edges) && surelyBetweenLimits(state.ray, vertices) &&
       !state.skips(primitive))
     {
-      AnyQuery::offer<ExactPrecision>(state, c);
+      AnyQuery::offer<PrecisionPolicy>(state, c);
       return;
     }
   }
-  if (!state.skips(primitive) && PrecisionPolicy::settle(state, corners, c))
+  if (!state.skips(primitive) && PrecisionPolicy::settle(state, vertices, c))
   {
     Query::template offer<PrecisionPolicy>(state, c);
   }
@@ -36,11 +36,11 @@ void settleCandidate(RayState& state, const Corners& corners, PrimitiveId primit
 
 /// The same of a surface with bodies, whose lanes the filter always keeps.
 template <class PrecisionPolicy, class Query>
-void settleEither(RayState& state, const Corners& corners, PrimitiveId primitive)
+void settleEither(RayState& state, const Along& vertices, PrimitiveId primitive)
 {
   if (state.surface.isTriangle(primitive))
   {
-    return settleCandidate<PrecisionPolicy, Query>(state, corners, primitive);
+    return settleCandidate<PrecisionPolicy, Query>(state, vertices, primitive);
   }
   if (state.skips(primitive))
   {
@@ -64,11 +64,11 @@ void settleEither(RayState& state, const Corners& corners, PrimitiveId primitive
 }
 
 /// Passages through whatever the primitive is.
-void settlePassages(RayState& state, const Corners& corners, PrimitiveId primitive)
+void settlePassages(RayState& state, const Along& vertices, PrimitiveId primitive)
 {
   if (state.surface.isTriangle(primitive))
   {
-    return settleCandidate<ExactPassage, CollectQuery>(state, corners, primitive);
+    return settleCandidate<ExactPassage, CollectQuery>(state, vertices, primitive);
   }
   if (state.skips(primitive))
   {

@@ -29,6 +29,12 @@ struct TriangleBlock
       Vec3{ this->v[3][lane], this->v[4][lane], this->v[5][lane] },
       Vec3{ this->v[6][lane], this->v[7][lane], this->v[8][lane] } };
   }
+
+  /// The vertices' coordinates along an axis.
+  [[nodiscard]] std::array<double, 3> along(int axis, int lane) const
+  {
+    return { this->v[axis][lane], this->v[3 + axis][lane], this->v[6 + axis][lane] };
+  }
 };
 
 /// The triangles of a structure's leaves, each leaf beginning with a block of its own.

@@ -4,6 +4,7 @@
 
 #include "Accel/Structures/WideBvhNodes.h"
 
+#include <algorithm>
 #include <array>
 
 namespace lumitree
@@ -62,6 +63,8 @@ public:
         this->gather(left, plan.lanes, lanes);
         this->gather(left + 1, wideArity - plan.lanes, lanes);
       }
+      std::stable_sort(lanes.begin(), lanes.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return this->effort(a) > this->effort(b); });
       kept[i].firstChild = static_cast<std::uint32_t>(kept.size());
       kept[i].childCount = static_cast<std::uint32_t>(lanes.size());
       for (const std::uint32_t lane : lanes)
@@ -75,6 +78,13 @@ public:
   }
 
 private:
+  /// What a ray that meets the node's box costs on the way through it.
+  [[nodiscard]] float effort(std::uint32_t binary) const
+  {
+    const float area = this->bvh_.nodes[binary].halfArea();
+    return area > 0.0f ? this->plans_[binary].cost[1] / area : 0.0f;
+  }
+
   void plan(std::size_t i)
   {
     const BvhTreeNode& node = this->bvh_.nodes[i];

@@ -24,7 +24,10 @@ struct CollapsedNode
 
 /// Collapses a binary hierarchy to one of eight children a node at the least surface-area cost that
 /// its boxes allow (Ylitie, Karras & Laine 2017, section 3.1, by dynamic programming): a node costs
-/// its area, a leaf of at most leafSize primitives its area times its blocks of four.
+/// its area, a leaf of at most leafSize primitives its area times its blocks of four. Of siblings
+/// those that cost a ray least come last: where any hit will do, they are the ones to look at first
+/// (as in Ogaki & Derouet-Jourdan 2016, "An N-ary BVH child node sorting technique for occlusion
+/// test").
 [[nodiscard]] std::vector<CollapsedNode> collapse(const BvhTree& bvh, int leafSize);
 
 } // namespace lumitree

@@ -16,6 +16,9 @@ namespace lumitree
 
 inline constexpr int wideArity = 8;
 
+/// The lanes as they stand, the order in which any hit is looked for: from the last to the first.
+inline constexpr std::uint32_t laneOrder = 0x76543210;
+
 /// A child of a wide node in 32 bits: the index of a node, or a leaf's first block and how many
 /// primitives it has. What a walk keeps of a child that waits.
 class WideChild

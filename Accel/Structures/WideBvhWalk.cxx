@@ -71,8 +71,8 @@ struct Traveller
       Float8 enter;
       Float8 exit;
       meet(node, this->ray, this->stop, enter, exit);
-      push(node, tree.firstId[child.nodeIndex()], node.order[this->ray.octant], enter, exit,
-        this->stack);
+      const std::uint32_t order = this->state->anyHit ? laneOrder : node.order[this->ray.octant];
+      push(node, tree.firstId[child.nodeIndex()], order, enter, exit, this->stack);
       return;
     }
     const double tStop = this->state->tStop;
@@ -101,7 +101,7 @@ HWY_INLINE void fetchNext(
   }
 }
 
-template <bool Certain, class T>
+template <class T>
 void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState* states, int count,
   const RayFeed& feed)
 {
@@ -131,9 +131,8 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
       traveller.startIfAwaited(tree);
       if (traveller.pop())
       {
-        traveller.step(tree,
-          [&](RayState& state, const Span& span) HWY_ATTR
-          { testLeaf<Certain>(state, blocks, span); });
+        traveller.step(
+          tree, [&](RayState& state, const Span& span) HWY_ATTR { testLeaf(state, blocks, span); });
         if (large)
         {
           fetchNext(tree, blocks, traveller.stack);
@@ -157,16 +156,16 @@ void travel(const WideBvhNodes& tree, const TriangleBlocks<T>& blocks, RayState*
   }
 }
 
-RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar, bool certain)
+RayKernel chooseWideBvhKernel(ArrayView::Scalar scalar)
 {
-  return withChoices(scalar, certain,
-    [](auto t, auto isCertain) -> RayKernel
+  return withScalar(scalar,
+    [](auto t) -> RayKernel
     {
       return [](const void* structure, const void* store, RayState* states, int count,
                const RayFeed& feed) HWY_ATTR
       {
         using T = decltype(t);
-        travel<decltype(isCertain)::value>(*static_cast<const WideBvhNodes*>(structure),
+        travel(*static_cast<const WideBvhNodes*>(structure),
           *static_cast<const TriangleBlocks<T>*>(store), states, count, feed);
       };
     });
@@ -203,9 +202,9 @@ namespace lumitree
 HWY_EXPORT(chooseWideBvhKernel);
 HWY_EXPORT(chooseCountingWalk);
 
-RayKernel wideBvhKernel(ArrayView::Scalar scalar, bool certain)
+RayKernel wideBvhKernel(ArrayView::Scalar scalar)
 {
-  return HWY_DYNAMIC_DISPATCH(chooseWideBvhKernel)(scalar, certain);
+  return HWY_DYNAMIC_DISPATCH(chooseWideBvhKernel)(scalar);
 }
 
 WideBvhCountingWalk wideBvhCountingWalk()

@@ -11,7 +11,7 @@ namespace lumitree
 {
 
 /// Walks one ray with node test and leaf test in one function; structure is a WideBvhNodes.
-[[nodiscard]] RayKernel wideBvhKernel(ArrayView::Scalar scalar, bool certain);
+[[nodiscard]] RayKernel wideBvhKernel(ArrayView::Scalar scalar);
 
 /// The same walk, node by node to a visitor that counts.
 using WideBvhCountingWalk = void (*)(const WideBvhNodes&, RayState&, CountingVisitor&);
