@@ -90,6 +90,23 @@ std::string brokenByWatertight(const Hit* hits, std::size_t number, const Truth&
   return {};
 }
 
+/// Every t is on the segment, and none is less than that of the hit before.
+std::string brokenSegment(const Hit* hits, std::size_t number, const Ray& ray)
+{
+  for (std::size_t h = 0; h < number; ++h)
+  {
+    if (!(ray.tMin <= hits[h].t && hits[h].t <= ray.tMax))
+    {
+      return "t is not on the segment";
+    }
+    if (h > 0 && hits[h].t < hits[h - 1].t)
+    {
+      return "t descends";
+    }
+  }
+  return {};
+}
+
 /// From inside a closed surface every ray passes through it an odd number of times, wherever.
 std::string brokenParity(const Accelerator& accelerator, const StressCase& c)
 {
@@ -172,6 +189,10 @@ std::string brokenPromise(const Accelerator& accelerator, Precision precision, c
     std::string broken = precision == Precision::Exact
       ? brokenByExact(hits, number, truth[i])
       : brokenByWatertight(hits, number, truth[i], precision == Precision::Fast);
+    if (broken.empty())
+    {
+      broken = brokenSegment(hits, number, batch[i]);
+    }
     if (broken.empty() && a.counts[i] != number)
     {
       broken = "count and all disagree";
