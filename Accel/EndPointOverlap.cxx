@@ -146,7 +146,7 @@ private:
     double sum = 0.0;
     if (this->seen_[n] != primitive)
     {
-      sum += area(inside) * (node.leaf ? node.referenceCount : 1);
+      sum += area(inside) * costOf(this->view_, n);
     }
     for (std::size_t c = this->children_.first[n]; c < this->children_.first[n + 1]; ++c)
     {

@@ -15,10 +15,10 @@ namespace lumitree
 ///
 ///     Σ_n c(n) · area(of the surface in n's box that is not below n) / area(the surface),
 ///
-/// c = 1 for an interior node and the number of primitives for a leaf, in the unit of
-/// BuildStatistics::sahCost. 0 where nodes do not overlap, as of grids and KD-trees, but for the
-/// outward rounding of their cells. In double arithmetic; triangles only. Takes about as long as
-/// building a hierarchy of boxes; of a grid, whose root has all cells for children, much longer.
+/// c as in BuildStatistics::sahCost and in its unit. 0 where nodes do not overlap, as of grids and
+/// KD-trees, but for the outward rounding of their cells. In double arithmetic; triangles only.
+/// Takes about as long as building a hierarchy of boxes; of a grid, whose root has all cells for
+/// children, much longer.
 [[nodiscard]] LUMITREE_ACCEL_EXPORT double endPointOverlap(
   const HierarchyView& view, const Surface& surface);
 

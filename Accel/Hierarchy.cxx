@@ -11,6 +11,41 @@
 namespace lumitree
 {
 
+namespace
+{
+
+/// Cells of a grid that a random ray goes through.
+double cellsCrossed(const Box& box, const std::array<int, 3>& resolution)
+{
+  const Vec3 size = box.size();
+  double faces = 0.0;
+  double cells = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    // Of each slab across axis k the two faces, divided among its cells.
+    const double face = size[(k + 1) % 3] * size[(k + 2) % 3];
+    faces += face;
+    cells += face * resolution[k];
+  }
+  return faces > 0.0 ? cells / faces : 1.0;
+}
+
+} // namespace
+
+double costOf(const HierarchyView& view, std::size_t node)
+{
+  const HierarchyNode& n = view.nodes[node];
+  if (n.leaf)
+  {
+    return leafCost(n.referenceCount);
+  }
+  if (view.gridResolution[0] > 0)
+  {
+    return view.stepCost * cellsCrossed(n.box, view.gridResolution);
+  }
+  return n.splitAxis >= 0 ? view.axisStepCost : view.stepCost;
+}
+
 void completeHierarchy(HierarchyView& view)
 {
   const auto areaOfNode = [&](std::size_t i)
@@ -21,7 +56,7 @@ void completeHierarchy(HierarchyView& view)
   {
     HierarchyNode& node = view.nodes[i];
     const double share = rootArea > 0.0 ? areaOfNode(i) / rootArea : 0.0;
-    node.cost = share * (node.leaf ? node.referenceCount : 1);
+    node.cost = share * costOf(view, i);
     if (node.parent >= 0)
     {
       view.nodes[static_cast<std::size_t>(node.parent)].referenceCount += node.referenceCount;

@@ -8,6 +8,7 @@
 #include "Accel/Hit.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,10 +28,9 @@ struct HierarchyNode
   std::uint32_t firstReference =
     0; ///< leaves: its primitives are references[first … first + count - 1]
   std::uint32_t referenceCount =
-    0; ///< leaves: primitives held; interior nodes: those of all leaves below
-  double cost =
-    0.0; ///< the node's share of the surface-area cost: area / area(root) times 1 (interior) or
-         ///< its primitives (leaf); the sum over all nodes is BuildStatistics::sahCost
+    0;               ///< leaves: primitives held; interior nodes: those of all leaves below
+  double cost = 0.0; ///< the node's share of the surface-area cost: area / area(root) times
+                     ///< costOf; the sum over all nodes is BuildStatistics::sahCost
 };
 
 /// A convex polyhedron; faces are lists of its points, counter-clockwise seen from outside.
@@ -49,7 +49,25 @@ struct HierarchyView
   /// One per node where cells are not boxes (BSP-trees), else none; without faces where there is no
   /// cell. Costs then go by their areas, relative to the root's.
   std::vector<Polyhedron> polyhedra;
+  /// What a ray pays for an interior node that a plane across an axis splits, and for any other:
+  /// the weights by which the structure's builder decides, in tests of a block of four primitives.
+  ///@{
+  double axisStepCost = 1.0;
+  double stepCost = 1.0;
+  ///@}
 };
+
+/// What a ray pays for the primitives of a leaf, by the surface-area heuristic of every builder:
+/// they are tested in blocks of four, each a unit.
+[[nodiscard]] constexpr double leafCost(std::size_t primitives)
+{
+  return static_cast<double>((primitives + 3) / 4);
+}
+
+/// What a ray pays that enters a node of the view: a leaf leafCost, an interior node a step. Of a
+/// grid, which has no steps down, the root costs a step for each cell that a random ray goes
+/// through, empty ones included: Σ area(cell) / area(root).
+[[nodiscard]] LUMITREE_ACCEL_EXPORT double costOf(const HierarchyView& view, std::size_t node);
 
 class Surface;
 struct BuildStatistics;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BspBuilder.h"
 
+#include "Accel/Hierarchy.h"
 #include "Accel/Structures/BspDivide.h"
 
 #include <algorithm>
@@ -12,22 +13,10 @@ namespace lumitree
 namespace
 {
 
-/// Costs of a step down, in tests of a block of four triangles: any plane takes more than one
-/// across an axis.
-///@{
-constexpr double axisStepCost = 0.75;
-constexpr double planeStepCost = 1.0;
-///@}
 /// What a plane costs that leaves one side empty.
 constexpr double emptyBonus = 0.8;
 constexpr std::size_t trianglesTried = 16;
 constexpr std::size_t mostForPlanes = 4096;
-
-/// Leaf tests go by blocks of four triangles.
-double testCost(std::size_t count)
-{
-  return static_cast<double>((count + 3) / 4);
-}
 
 /// A cell and what reaches into it, to become the node `node`.
 struct Task : BspPart
@@ -106,7 +95,7 @@ private:
       return false;
     }
     Division best;
-    best.cost = testCost(task.references.size());
+    best.cost = leafCost(task.references.size());
     const KdSplit across = this->axisPlanes_.best(task.cell, task.references);
     if (across.axis >= 0)
     {
@@ -184,10 +173,10 @@ private:
     {
       return;
     }
-    const double step = plane.axis >= 0 ? axisStepCost : planeStepCost;
+    const double step = plane.axis >= 0 ? bspAxisStepCost : bspPlaneStepCost;
     const double bonus = below == 0 || above == 0 ? emptyBonus : 1.0;
     // The least that this plane can cost: the areas are at least half the cell's together.
-    if (bonus * (step + 0.5 * std::min(testCost(below), testCost(above))) >= best.cost)
+    if (bonus * (step + 0.5 * std::min(leafCost(below), leafCost(above))) >= best.cost)
     {
       return;
     }
@@ -199,8 +188,8 @@ private:
       return;
     }
     const double cost = bonus *
-      (step + areaOf(parts->first) / whole * testCost(below) +
-        areaOf(parts->second) / whole * testCost(above));
+      (step + areaOf(parts->first) / whole * leafCost(below) +
+        areaOf(parts->second) / whole * leafCost(above));
     if (cost < best.cost)
     {
       best = { plane, cost, std::move(parts) };

@@ -15,6 +15,13 @@ namespace lumitree
 /// No tree holds more references than this many times the triangles.
 inline constexpr std::size_t bspReferencesPerTriangle = 8;
 
+/// Costs of a step down, in tests of a block of four triangles: any plane takes more than one
+/// across an axis.
+///@{
+inline constexpr double bspAxisStepCost = 0.75;
+inline constexpr double bspPlaneStepCost = 1.0;
+///@}
+
 /// Builds a BSP-tree by the surface-area heuristic over the cells' true areas (Ize, Wald & Parker
 /// 2008, "Ray tracing with the BSP tree"): among the best plane across an axis, as a KD-tree would
 /// choose it, and planes just beside triangles of the cell, at most 16 of them, and none where

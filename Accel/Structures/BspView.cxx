@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/BspView.h"
 
+#include "Accel/Structures/BspBuilder.h"
 #include "Accel/Structures/BspFrame.h"
 #include "Accel/Structures/ConvexPolyhedron.h"
 #include "Accel/Structures/KdTreeClip.h"
@@ -11,6 +12,8 @@ namespace lumitree
 HierarchyView viewBspTree(const BspNodes& tree, const LeafBlocks& blocks)
 {
   HierarchyView view;
+  view.axisStepCost = bspAxisStepCost;
+  view.stepCost = bspPlaneStepCost;
   view.nodes.resize(tree.nodes.size());
   view.polyhedra.resize(tree.nodes.size());
   const WideBvhFrame frame = bspFrameOf(tree.cell);

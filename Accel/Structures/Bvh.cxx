@@ -197,7 +197,8 @@ public:
       const BvhNode& node = this->bvh_.nodes[i];
       s.leaves += node.leaf ? 1 : 0;
       s.depth = std::max(s.depth, depths[i]);
-      s.sahCost += whole > 0.0 ? node.box.area() / whole * (node.leaf ? node.count : 1) : 0.0;
+      s.sahCost +=
+        whole > 0.0 ? node.box.area() / whole * (node.leaf ? leafCost(node.count) : 1.0) : 0.0;
       if (!node.leaf)
       {
         depths[node.first] = depths[node.first + 1] = depths[i] + 1;

@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/KdTreeSplitters.h"
 
+#include "Accel/Hierarchy.h"
+
 namespace lumitree
 {
 namespace
 {
 
-/// Cost of a step down, in tests of a block of four triangles. Of 0.25 … 6, rays were fastest with
-/// 2 … 3 (torus, city, stadium): a step waits for memory and for branches, a block hardly.
-constexpr double stepCost = 2.0;
 /// What a plane costs that leaves one side empty.
 constexpr double emptyBonus = 0.8;
-
-/// Leaf tests go by blocks of four triangles.
-double testCost(std::size_t count)
-{
-  return static_cast<double>((count + 3) / 4);
-}
 
 /// The area of a cell's parts, as shares of the cell's own. Sizes are scaled first, so that no
 /// product overflows.
@@ -73,7 +66,7 @@ KdSplit spatialMedianSplit(const Box& cell, std::size_t references, int leafSize
 
 KdOffer kdLeafOffer(std::size_t references)
 {
-  return { {}, testCost(references) };
+  return { {}, leafCost(references) };
 }
 
 KdOffer cheapestAcross(int axis, const Box& cell, std::size_t references,
@@ -90,7 +83,7 @@ KdOffer cheapestAcross(int axis, const Box& cell, std::size_t references,
   {
     const double bonus = below == 0 || above == 0 ? emptyBonus : 1.0;
     const double cost =
-      bonus * (stepCost + shareBelow * testCost(below) + shareAbove * testCost(above));
+      bonus * (kdStepCost + shareBelow * leafCost(below) + shareAbove * leafCost(above));
     if (cost < best.cost)
     {
       best = { { axis, position, inPlaneBelow }, cost };

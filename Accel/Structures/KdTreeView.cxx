@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Accel/Structures/KdTreeView.h"
 
+#include "Accel/Structures/KdTreeSplitters.h"
+
 namespace lumitree
 {
 HierarchyView viewKdTree(const KdTreeNodes& tree, const LeafBlocks& blocks)
 {
   HierarchyView view;
+  view.axisStepCost = kdStepCost;
   view.nodes.resize(tree.nodes.size());
   view.nodes[0].box = tree.cell;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i)

@@ -15,7 +15,10 @@ namespace
 constexpr std::size_t fewReferences = 65536;
 constexpr std::size_t referencesPerPrimitive = 16;
 /// See OctreeBuilder.h.
+///@{
 constexpr std::size_t growthHalves = 3;
+constexpr std::size_t growthHalvesOfRoot = 4;
+///@}
 
 /// Primitives that a thread looks at, at a time.
 constexpr std::size_t chunk = 4096;
@@ -142,7 +145,7 @@ private:
   /// How many references the children of a node may have together, whatever the rest of the tree.
   static std::size_t allowedBelow(const Open& open)
   {
-    return growthHalves * open.primitives.size() / 2;
+    return (open.node == 0 ? growthHalvesOfRoot : growthHalves) * open.primitives.size() / 2;
   }
 
   void sortOut(const Open& open, Part& part) const

@@ -40,6 +40,8 @@ inline constexpr int octreeDepthLimit = 21;
 ///     with probability 1/4 (by surface area), so beyond 4 times nothing is gained; measured with
 ///     leaves of four primitives to a block, 1.5 was fastest of 1.5, 2, 2.5 and 3 (teapot, city),
 ///     with a tenth of the memory of 3;
+///     The root may have twice its primitives below: the planes through the middle of something
+///     symmetric often touch a row of triangles each, which must not keep it whole;
 ///   - the whole tree then holds primitives at most 16 times on average (65536 references are
 ///   always allowed). Levels
 ///     are split one after the other, the shallow ones first.

@@ -94,7 +94,7 @@ BuildStatistics statisticsOf(const WideBvhNodes& tree, const Surface& surface)
       s.leaves += leaf ? 1 : 0;
       s.depth = std::max(s.depth, depth);
       s.references += count;
-      area += box.area() * (leaf ? count : 1);
+      area += box.area() * (leaf ? leafCost(count) : 1.0);
       if (!leaf)
       {
         depths[child.nodeIndex()] = depth;

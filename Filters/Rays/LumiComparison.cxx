@@ -5,10 +5,13 @@
 #include "LumiDisagreement.h"
 #include "LumiGather.h"
 #include "LumiRow.h"
+#include "LumiVisitCosts.h"
 
 #include "Accel/Registry.h"
 
 #include "vtkCommunicator.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <chrono>
@@ -85,6 +88,14 @@ void Trial::joinRanks(vtkMultiProcessController* controller)
   {
     *counts[i] = static_cast<std::uint64_t>(all[i]);
   }
+  vtkNew<vtkIdTypeArray> entered;
+  vtkNew<vtkIdTypeArray> sum;
+  const auto nodeCount = static_cast<vtkIdType>(this->perNode.size());
+  entered->SetNumberOfValues(nodeCount);
+  sum->SetNumberOfValues(nodeCount);
+  std::copy(this->perNode.begin(), this->perNode.end(), entered->GetPointer(0));
+  controller->AllReduce(entered, sum, vtkCommunicator::SUM_OP);
+  std::copy_n(sum->GetPointer(0), nodeCount, this->perNode.begin());
   const double seconds[2] = { this->castSeconds, this->buildSeconds };
   double slowest[2];
   controller->AllReduce(seconds, slowest, 2, vtkCommunicator::MAX_OP);
@@ -160,6 +171,8 @@ std::optional<Trial> tryOut(const Accelerator& accelerator, QueryKind query, con
   std::vector<RayCounters> counters(rays.size);
   QueryOptions counting = options;
   counting.perRay = counters.data();
+  trial.perNode.resize(accelerator.statistics().nodes);
+  counting.perNode = trial.perNode.data();
   const Cast cast(query, accelerator, rays, counting);
   if (!cast.report().completed)
   {
@@ -182,7 +195,7 @@ std::optional<Trial> tryOut(const Accelerator& accelerator, QueryKind query, con
 }
 
 void addComparison(const Accelerator& accelerator, const HierarchyView& view, const Trial& trial,
-  bool compared, bool present, vtkTable* table)
+  const RowChoices& choices, vtkTable* table)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const BuildOptions& options = accelerator.options();
@@ -196,7 +209,7 @@ void addComparison(const Accelerator& accelerator, const HierarchyView& view, co
       cells *= static_cast<std::uint64_t>(slabs);
     }
   }
-  Row row(table, present);
+  Row row(table, choices.present);
   row.add("Structure", name(options.structure));
   row.add("Parameters", parameters(options, view));
   row.add("GridCells", cells);
@@ -221,7 +234,12 @@ void addComparison(const Accelerator& accelerator, const HierarchyView& view, co
   row.add("CastSeconds", trial.castSeconds);
   row.add("RaysPerSecond",
     trial.castSeconds > 0 ? static_cast<double>(trial.rays) / trial.castSeconds : none);
-  row.add("Disagreements", compared ? static_cast<double>(trial.disagreements) : none);
+  row.add("Disagreements", choices.compared ? static_cast<double>(trial.disagreements) : none);
+  row.add("ObservedSahCost", observedCost(view, trial.perNode, trial.cells));
+  row.add("EmptyLeaves", emptyLeaves(view));
+  row.add("UnvisitedLeaves", unvisitedLeaves(view, trial.perNode));
+  row.add("EndPointOverlap",
+    !choices.measureOverlap || !choices.present ? none : overlapOf(accelerator, view));
 }
 
 } // namespace lumitree::filters

@@ -26,6 +26,7 @@ struct Trial
   std::uint64_t tests = 0;
   std::uint64_t hitRays = 0;
   std::uint64_t disagreements = 0;
+  std::vector<std::uint64_t> perNode; ///< rays that entered each node of the hierarchy
   double castSeconds = 0.0;
   double buildSeconds = 0.0;
 
@@ -50,10 +51,17 @@ struct Trial
 [[nodiscard]] std::optional<Trial> tryOut(const Accelerator& accelerator, QueryKind query,
   const RayBatch& rays, const QueryOptions& options, int repetitions, const Cast* truth);
 
-/// Adds a row of the output of vtkLumiStructureComparison (Docs/data-model.md), or its columns
-/// only.
+/// What a row tells beside a trial.
+struct RowChoices
+{
+  bool compared = false;       ///< with the truth
+  bool measureOverlap = false; ///< of hierarchies of boxes, which takes time
+  bool present = true;         ///< else the columns only
+};
+
+/// Adds a row of the output of vtkLumiStructureComparison (Docs/data-model.md).
 void addComparison(const Accelerator& accelerator, const HierarchyView& view, const Trial& trial,
-  bool compared, bool present, vtkTable* table);
+  const RowChoices& choices, vtkTable* table);
 
 } // namespace lumitree::filters
 

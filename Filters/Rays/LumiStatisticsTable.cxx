@@ -3,8 +3,7 @@
 #include "LumiStatisticsTable.h"
 
 #include "LumiRow.h"
-
-#include "Accel/EndPointOverlap.h"
+#include "LumiVisitCosts.h"
 
 #include <cstdint>
 #include <limits>
@@ -12,41 +11,6 @@
 
 namespace lumitree::filters
 {
-
-namespace
-{
-
-/// What the heuristic expects of a ray that enters the root, as it was: interior nodes entered and
-/// primitives tested. NaN when no ray has entered it.
-double observedCost(const HierarchyView& view, const Visits& visits)
-{
-  std::uint64_t entered = 0;
-  for (std::size_t i = 0; i < view.nodes.size(); ++i)
-  {
-    entered += view.nodes[i].leaf ? 0 : visits.perNode[i];
-  }
-  return view.nodes.empty() || visits.perNode[0] == 0
-    ? std::numeric_limits<double>::quiet_NaN()
-    : static_cast<double>(entered + visits.primitivesTested) /
-      static_cast<double>(visits.perNode[0]);
-}
-
-std::uint64_t emptyLeaves(const HierarchyView& view)
-{
-  std::uint64_t empty = 0;
-  std::uint64_t occupied = 0;
-  for (const HierarchyNode& node : view.nodes)
-  {
-    occupied += node.leaf && node.referenceCount > 0 ? 1 : 0;
-    empty += node.leaf && node.referenceCount == 0 ? 1 : 0;
-  }
-  const auto& cells = view.gridResolution; // a grid's view has no nodes for its empty cells
-  const std::uint64_t all =
-    std::uint64_t(cells[0]) * std::uint64_t(cells[1]) * std::uint64_t(cells[2]);
-  return all > 0 ? all - occupied : empty;
-}
-
-} // namespace
 
 void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& view,
   const Visits& visits, bool measureOverlap, bool withRow, vtkTable* table)
@@ -74,18 +38,17 @@ void makeStatisticsTable(const Accelerator& accelerator, const HierarchyView& vi
   row.add("Rays", visits.rays);
   row.add("RayNodesEntered", visits.nodesEntered);
   row.add("RayPrimitivesTested", visits.primitivesTested);
-  row.add("ObservedSahCost", observedCost(view, visits));
+  row.add("ObservedSahCost", observedCost(view, visits.perNode, visits.cellsStepped));
   row.add("EmptyLeaves", emptyLeaves(view));
   constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
-  row.add("EndPointOverlap",
-    !measureOverlap || !withRow ? notMeasured
-      : isHierarchyOfBoxes      ? endPointOverlap(view, surface)
-                                : 0.0);
+  row.add(
+    "EndPointOverlap", measureOverlap && withRow ? overlapOf(accelerator, view) : notMeasured);
   row.add("Quadrics", std::uint64_t{ surface.quadricCount() });
   row.add("SkippedEmptyQuadrics", std::uint64_t{ surface.emptyQuadricCount() });
   row.add("Choice", std::string_view(built.choice));
   row.add("Origin", name(built.origin));
   row.add("SahCostBuilt", built.sahCostBuilt);
+  row.add("UnvisitedLeaves", unvisitedLeaves(view, visits.perNode));
 }
 
 void makeCastTable(const Accelerator& accelerator, const Cast& cast, Precision precision,

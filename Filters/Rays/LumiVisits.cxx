@@ -29,6 +29,7 @@ QueryReport Visits::cast(
   struct Sums
   {
     std::uint64_t nodes = 0;
+    std::uint64_t cells = 0;
     std::uint64_t primitives = 0;
   };
   std::vector<Sums> sums((batch.size + chunk - 1) / chunk);
@@ -39,6 +40,7 @@ QueryReport Visits::cast(
       for (std::size_t i = begin; i < end; ++i)
       {
         sum.nodes += counters[i].nodes + counters[i].cells;
+        sum.cells += counters[i].cells;
         sum.primitives += counters[i].primitives;
       }
     });
@@ -46,6 +48,7 @@ QueryReport Visits::cast(
   for (const Sums& sum : sums)
   {
     this->nodesEntered += sum.nodes;
+    this->cellsStepped += sum.cells;
     this->primitivesTested += sum.primitives;
   }
   return answers.report();
@@ -57,21 +60,22 @@ void Visits::sumOverRanks(vtkMultiProcessController* controller)
   {
     return;
   }
-  std::uint64_t* const totals[] = { &this->rays, &this->nodesEntered, &this->primitivesTested,
-    &this->failures };
+  std::uint64_t* const totals[] = { &this->rays, &this->nodesEntered, &this->cellsStepped,
+    &this->primitivesTested, &this->failures };
+  constexpr vtkIdType totalCount = 5;
   const auto nodes = static_cast<vtkIdType>(this->perNode.size());
   vtkNew<vtkIdTypeArray> mine;
-  mine->SetNumberOfValues(nodes + 4);
+  mine->SetNumberOfValues(nodes + totalCount);
   std::copy(this->perNode.begin(), this->perNode.end(), mine->GetPointer(0));
-  for (vtkIdType i = 0; i < 4; ++i)
+  for (vtkIdType i = 0; i < totalCount; ++i)
   {
     mine->SetValue(nodes + i, static_cast<vtkIdType>(*totals[i]));
   }
   vtkNew<vtkIdTypeArray> all;
-  all->SetNumberOfValues(nodes + 4);
+  all->SetNumberOfValues(nodes + totalCount);
   controller->AllReduce(mine, all, vtkCommunicator::SUM_OP);
   std::copy_n(all->GetPointer(0), nodes, this->perNode.begin());
-  for (vtkIdType i = 0; i < 4; ++i)
+  for (vtkIdType i = 0; i < totalCount; ++i)
   {
     *totals[i] = static_cast<std::uint64_t>(all->GetValue(nodes + i));
   }

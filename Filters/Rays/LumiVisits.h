@@ -19,6 +19,7 @@ struct Visits
   std::vector<std::uint64_t> perNode; ///< rays that entered each node of the hierarchy
   std::uint64_t rays = 0;
   std::uint64_t nodesEntered = 0; ///< nodes of a tree, or cells of a grid
+  std::uint64_t cellsStepped = 0; ///< cells of a grid, empty ones included
   std::uint64_t primitivesTested = 0;
   std::uint64_t failures = 0; ///< ranks that could not cast their rays
 

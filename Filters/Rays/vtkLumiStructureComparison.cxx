@@ -117,8 +117,8 @@ struct vtkLumiStructureComparison::Internals
         continue;
       }
       trial->joinRanks(controller);
-      filters::addComparison(
-        *accelerator, accelerator->hierarchy(), *trial, self->CountDisagreements, isFirst, table);
+      filters::addComparison(*accelerator, accelerator->hierarchy(), *trial,
+        { self->CountDisagreements, self->MeasureOverlap, isFirst }, table);
     }
     if (!leftOut.empty())
     {
@@ -147,6 +147,7 @@ void vtkLumiStructureComparison::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IncludeBruteForce: " << (this->IncludeBruteForce ? "on" : "off") << "\n";
   os << indent << "IncludeReferences: " << (this->IncludeReferences ? "on" : "off") << "\n";
   os << indent << "CountDisagreements: " << (this->CountDisagreements ? "on" : "off") << "\n";
+  os << indent << "MeasureOverlap: " << (this->MeasureOverlap ? "on" : "off") << "\n";
   os << indent << "ReferenceStructure: " << this->ReferenceStructure << "\n";
   os << indent << "Repetitions: " << this->Repetitions << "\n";
 }

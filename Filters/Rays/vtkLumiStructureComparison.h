@@ -117,6 +117,16 @@ public:
 
   ///@{
   /**
+   * Whether the table tells the EndPointOverlap of the boxes of bounding volume hierarchies (Aila,
+   * Karras and Laine 2013), which takes about as long as building. Default off.
+   */
+  vtkSetMacro(MeasureOverlap, bool);
+  vtkGetMacro(MeasureOverlap, bool);
+  vtkBooleanMacro(MeasureOverlap, bool);
+  ///@}
+
+  ///@{
+  /**
    * How often the rays are cast for the time. Range 1 to 100, default 3.
    */
   vtkSetClampMacro(Repetitions, int, 1, 100);
@@ -142,6 +152,7 @@ private:
   bool IncludeBruteForce = false;
   bool IncludeReferences = false;
   bool CountDisagreements = false;
+  bool MeasureOverlap = false;
   int ReferenceStructure = BruteForce;
   int Repetitions = 3;
 

@@ -42,8 +42,9 @@ TEST(EndPointOverlap, OfTwoBoxesIsWhatLiesInBoth)
     node.referenceCount = 2;
   }
   completeHierarchy(view);
-  // A quarter of each square lies in the other's leaf, which costs 2; the squares have area 2.
-  EXPECT_NEAR(endPointOverlap(view, *surface), 2 * (2 * 0.25) / 2.0, 1e-15);
+  // A quarter of each square lies in the other's leaf, which costs a block; the squares have
+  // area 2.
+  EXPECT_NEAR(endPointOverlap(view, *surface), (2 * 0.25) / 2.0, 1e-15);
   EXPECT_EQ(endPointOverlap({}, *surface), 0.0);
 }
 

@@ -88,6 +88,14 @@ TEST(Octree, DepthAndMemoryAreBounded)
   }
 }
 
+/// A sphere around the root's middle: its planes touch many of the few triangles.
+TEST(Octree, ASmallSphereIsDivided)
+{
+  const auto tree = build(surfaceOf<float>(data::sphere(6)), optionsOf(Structure::Octree));
+  EXPECT_GT(tree->statistics().leaves, 50u);
+  EXPECT_LT(tree->statistics().duplication, 4.0);
+}
+
 TEST(Octree, CellsAreOctantsOfTheirParents)
 {
   const auto surface = surfaceOf<float>(data::randomCloud(3000));

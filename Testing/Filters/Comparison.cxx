@@ -96,7 +96,9 @@ TEST_F(Comparison, ThereIsARowForEachStructure)
     { "ReferencesPerPrimitive", "double 1" }, { "SahCost", "double 1" }, { "Rays", "id 1" },
     { "HitRays", "id 1" }, { "NodesPerRay", "double 1" }, { "CellsPerRay", "double 1" },
     { "LeavesPerRay", "double 1" }, { "TestsPerRay", "double 1" }, { "CastSeconds", "double 1" },
-    { "RaysPerSecond", "double 1" }, { "Disagreements", "double 1" } };
+    { "RaysPerSecond", "double 1" }, { "Disagreements", "double 1" },
+    { "ObservedSahCost", "double 1" }, { "EmptyLeaves", "id 1" }, { "UnvisitedLeaves", "id 1" },
+    { "EndPointOverlap", "double 1" } };
   int i = 0;
   for (const auto& [name, type] : columns)
   {
@@ -122,6 +124,18 @@ TEST_F(Comparison, ThereIsARowForEachStructure)
     EXPECT_GT(this->number("RaysPerSecond", row), 0);
     EXPECT_GE(this->number("ReferencesPerPrimitive", row), 1);
     EXPECT_LE(this->number("TestsPerRay", row), 720);
+    EXPECT_GT(this->number("ObservedSahCost", row), 0);
+    EXPECT_LE(this->number("ObservedSahCost", row), 1.01 * this->number("SahCost", row));
+    EXPECT_LT(this->number("UnvisitedLeaves", row), this->number("Leaves", row));
+    EXPECT_TRUE(std::isnan(this->number("EndPointOverlap", row)));
+  }
+  this->filter_->MeasureOverlapOn();
+  for (vtkIdType row = 0; row < this->table()->GetNumberOfRows(); ++row)
+  {
+    const std::string structure = this->text("Structure", row);
+    EXPECT_EQ(
+      this->number("EndPointOverlap", row) > 0, structure == "bvh" || structure == "wide_bvh")
+      << structure;
   }
 }
 
