@@ -5,6 +5,7 @@
 #include "Accel/Kernel/Crossing.h"
 #include "NearDegenerate.h"
 #include "RationalOracle.h"
+#include "TestHelpers.h"
 
 #include <gtest/gtest.h>
 
@@ -139,6 +140,47 @@ TEST(FilterBound, TStaysWithinTheTriangleHoweverGrazingTheRay)
       ASSERT_GE(x.v, 0.0);
       ASSERT_LE(x.u + x.v, 1.0 + 0x1p-50);
     });
+}
+
+/// Four triangles side by side, one a millionth as far from the rays' origin as the others: its
+/// bound is not theirs, and theirs not its.
+TEST(FilterBound, TrianglesOfOneBlockHaveEachItsOwn)
+{
+  Uniform uniform(6);
+  for (int i = 0; i < 400; ++i)
+  {
+    const auto point = [&](double size) {
+      return Vec3{ uniform(-size, size), uniform(-size, size), uniform(-size, size) };
+    };
+    const Vec3 origin = point(1e-3);
+    std::vector<std::array<Vec3, 3>> triangles;
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      const double size = lane == i % 4 ? 1e-3 : 1e3;
+      triangles.push_back({ point(size), point(size), point(size) });
+    }
+    const auto accelerator = build(surfaceOf<double>(triangles), optionsOf(Structure::BruteForce));
+    for (const std::array<Vec3, 3>& aim : triangles)
+    {
+      const double share = uniform(0, 1);
+      const Ray ray = { origin, share * aim[0] + (1 - share) * aim[1] - origin };
+      std::vector<PrimitiveId> wanted;
+      for (PrimitiveId id = 0; id < triangles.size(); ++id)
+      {
+        if (rationallyHits(ray, RationalCrossing(ray, triangles[id])))
+        {
+          wanted.push_back(id);
+        }
+      }
+      std::vector<PrimitiveId> found;
+      for (const Hit& hit : allOf(*accelerator, ray, Precision::Exact))
+      {
+        found.push_back(hit.primitive);
+      }
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, wanted);
+    }
+  }
 }
 
 TEST(FilterBound, FarAwayTheEdgeFormStillDecides)

@@ -228,6 +228,48 @@ TEST(Save, NoNumberInPlaceOfItsNeighbourMakesAWrongAnswer)
   }
 }
 
+/// A chain: each inner node has a leaf and the next inner node.
+TEST(Save, ATreeDeeperThanWalksGoIsRefused)
+{
+  for (const std::size_t depth : { 64u, 65u })
+  {
+    std::vector<std::array<Vec3, 3>> triangles;
+    for (std::size_t i = 0; i <= depth; ++i)
+    {
+      const Vec3 at = { 2.0 * static_cast<double>(i), 0, 0 };
+      triangles.push_back({ at, at + Vec3{ 1, 0, 0 }, at + Vec3{ 0, 1, 0 } });
+    }
+    const auto surface = surfaceOf<float>(triangles);
+    BuildOptions options = optionsOf(Structure::Bvh);
+    options.leafSize = 1;
+    const auto built = build(surface, options);
+    const std::size_t nodes = 2 * depth + 1;
+    ASSERT_EQ(built->statistics().nodes, nodes);
+    std::string kinds;
+    std::string children;
+    for (std::size_t i = 0; i < nodes; ++i)
+    {
+      const bool leaf = i % 2 == 1 || i + 1 == nodes;
+      kinds += leaf ? '\x03' : '\x00';
+      const auto first = static_cast<std::uint32_t>(i + 1);
+      children.append(reinterpret_cast<const char*>(&first), leaf ? 0 : sizeof(first));
+    }
+    // The nodes follow their number.
+    std::string body = bodyOf(saved(*built));
+    const auto number = static_cast<std::uint64_t>(nodes);
+    std::size_t at = body.find(std::string(reinterpret_cast<const char*>(&number), sizeof(number)));
+    ASSERT_NE(at, std::string::npos);
+    body.replace(at + sizeof(number), nodes + children.size(), kinds + children);
+    if (depth == 64)
+    {
+      const Ray ray{ { 20.25, 0.25, -1 }, { 0, 0, 1 } };
+      EXPECT_EQ(closestOf(*loaded(sealed(body), surface), ray, Precision::Exact).primitive, 10u);
+      continue;
+    }
+    EXPECT_NE(problemWith(sealed(body), surface).find("deeper"), std::string::npos);
+  }
+}
+
 TEST(Save, SaysWhatIsWrong)
 {
   const auto surface = surfaceOf<float>(data::teapot(2));

@@ -156,7 +156,7 @@ LEAF = [
            EDGES, "this->boundFloor = 0x1p-1020 * (1.0 + this->oneNorm);", "this->boundFloor = 0.0;"),
     mutant("The block's filter has no bound", "Triangles Stress",
            FILTER, "Double4::all(FilterRay::edgeBound / 2)", "Double4::all(0.0)"),
-    mutant("A candidate gets its bound from the block's first lane", "Stress FilterBound",
+    mutant("A candidate gets its bound from the block's first lane", "FilterBound",
            FILTER, "e.error = this->at(this->error, lane);", "e.error = this->at(this->error, 0);"),
     mutant("A candidate gets an edge function of its neighbour", "Triangles Stress",
            FILTER, "e.w = this->at(this->f[2], lane);", "e.w = this->at(this->f[2], lane ^ 1);"),
@@ -175,10 +175,12 @@ LEAF = [
     mutant("The interval of t trusts weights within their error", "FilterBound",
            CROSSING, "if (relative < 1.0 / 12)", "if (true)"),
     mutant("t along x, whatever the direction", "Triangles",
-           CROSSING, "const int k = ray.axis;\n  const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], "
-           "vertices[1][k] - ray.origin[k],\n    vertices[2][k] - ray.origin[k] };\n\n  // Weights", "const int k = 0;\n  "
-           "const std::array<double, 3> a = { vertices[0][k] - ray.origin[k], vertices[1][k] - ray.origin[k],\n"
-           "    vertices[2][k] - ray.origin[k] };\n\n  // Weights"),
+           CROSSING, "const int k = ray.axis;\n  const std::array<double, 3> a = { vertices[0] - ray.origin[k]",
+           "const int k = 0;\n  const std::array<double, 3> a = { vertices[0] - ray.origin[k]"),
+    mutant("A computed t between the limits is certainly between them", "Triangles Stress",
+           CROSSING, "return x.tLow >= ray.tMin && x.tHigh <= ray.tMax;", "return x.t >= ray.tMin && x.t <= ray.tMax;"),
+    mutant("A computed t beyond a limit is certainly beyond it", "Triangles Stress",
+           CROSSING, "return x.tHigh < ray.tMin || x.tLow > ray.tMax;", "return x.t < ray.tMin || x.t > ray.tMax;"),
 ]  # fmt: skip
 
 DECISIONS = [
@@ -187,11 +189,10 @@ DECISIONS = [
     mutant("Undecided triangles are misses", "Triangles",
            PRECISIONS, "if (!exact::lineMeetsTriangle(state.ray, vertices))", "if (true)"),
     mutant("Watertight takes what is undecided for a miss", "Triangles Watertight",
-           PRECISIONS, "return !surelyMissed(x.edges) && std::isfinite(x.t) && x.tHigh",
-           "return surelyHit(x.edges) && std::isfinite(x.t) && x.tHigh"),
+           PRECISIONS, "return !surelyMissed(own.edges) &&", "return surelyHit(own.edges) &&"),
     mutant("Watertight compares limits with the computed t", "Triangles Stress",
-           PRECISIONS, "x.tHigh >= state.ray.tMin &&\n      x.tLow <= state.ray.tMax",
-           "x.t >= state.ray.tMin &&\n      x.t <= state.ray.tMax"),
+           PRECISIONS, "own.tHigh >= state.ray.tMin &&\n      own.tLow <= state.ray.tMax",
+           "own.t >= state.ray.tMin &&\n      own.t <= state.ray.tMax"),
     mutant("Of equal t the highest primitive wins", "Triangles",
            PRECISIONS, "order == 0 && a.primitive < b.primitive", "order == 0 && a.primitive > b.primitive"),
     mutant("t is compared as computed, never exactly", "Triangles Stress",
@@ -222,6 +223,8 @@ DECISIONS = [
            PRECISIONS, "c.key = std::max(x.t, tEnter);", "c.key = x.t;"),
     mutant("Fast hits a primitive whose box it does not meet", "AgainstBruteForce Stress",
            PRECISIONS, "return met;", "return true;"),
+    mutant("Fast takes a vague t for the key", "Stress AgainstBruteForce",
+           PRECISIONS, "x.tHigh - x.tLow <= 0.5 * RayBox::relativePad * std::fabs(x.t)", "true"),
     mutant("Fast: of equal keys the highest primitive wins", "AgainstBruteForce Triangles",
            PRECISIONS, "std::tie(a.key, a.primitive, a.root) < std::tie(b.key, b.primitive, b.root)",
            "std::tie(a.key, b.primitive, a.root) < std::tie(b.key, a.primitive, b.root)"),
