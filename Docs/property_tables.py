@@ -20,14 +20,15 @@ MARK = re.compile(r"(<!-- properties of (\w+) -->\n\n).*?(?=\n\n|\n\Z)", re.DOTA
 
 
 def properties_of(proxy) -> list:
-    """Names and properties that are no input, those first that are shown without asking for advanced ones."""
+    """Names and properties that are no input and can be shown, those first that need no asking for advanced ones."""
     iterator = vtkSMOrderedPropertyIterator()
     iterator.SetProxy(proxy)
     iterator.Begin()
     found = []
     while not iterator.IsAtEnd():
         prop = iterator.GetProperty()
-        if not prop.IsA("vtkSMInputProperty") and not prop.GetInformationOnly():
+        shown = not prop.GetInformationOnly() and prop.GetPanelVisibility() != "never"
+        if shown and not prop.IsA("vtkSMInputProperty"):
             found.append((iterator.GetKey(), iterator.GetProperty()))
         iterator.Next()
     return sorted(found, key=lambda item: item[1].GetPanelVisibility() != "default")

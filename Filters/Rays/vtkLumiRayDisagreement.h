@@ -17,6 +17,8 @@
  * Of queries with hits the first hit that differs is told. Any, Count and Crossings know only
  * Missed and Phantom.
  *
+ * Refit and StructureFile are of no effect: which of the two structures would be meant?
+ *
  * In a run over several ranks every rank shows its own rays, and rank 0 counts all.
  */
 #ifndef vtkLumiRayDisagreement_h

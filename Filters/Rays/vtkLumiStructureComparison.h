@@ -17,9 +17,9 @@
  *  - LeafSizes: the tree that Structure names (Auto: the BVH) with SweepSteps leaf sizes between
  *    SweepMinimum and SweepMaximum.
  *
- * Structures are built for this table and not kept. Seconds are those of this machine at this
- * moment; a cast is repeated, and the quickest counts. All other columns but those are the same
- * whenever and wherever they are computed. What cannot be built (too many cells for the memory
+ * Structures are built for this table and not kept: Refit and StructureFile are of no effect.
+ * Seconds are those of this machine at this moment; a cast is repeated, and the quickest counts.
+ * All other columns but those are the same whenever and wherever they are computed. What cannot be built (too many cells for the memory
  * limit, a precision that a reference lacks) is left out, with one warning.
  *
  * In a run over several ranks the surface is replicated and every rank casts its own rays; rank 0
