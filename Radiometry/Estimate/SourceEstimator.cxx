@@ -96,12 +96,17 @@ void SourceEstimatorBase::sample(const View& view, const Amounts& certain, const
 
 std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
 {
+  // Rays grow with the power -4/3 of the tolerance: their error falls with n^-¾.
   constexpr double measuredAt = 0.01;
+  constexpr double leastTolerance = 1e-3;
+  constexpr double fewest = 10.0; // what the first rays cost, whatever the tolerance
   // An absolute tolerance asks for as few rays as one four times as wide that is relative, since
   // what is nearly dark needs no more of them.
   const double relative = std::max(this->options.relativeTolerance, 4.0 * absolute / unoccluded);
+  const double atOnePercent = this->options.mostClipped;
+  const double ratio = measuredAt / std::max(relative, leastTolerance);
   return static_cast<std::size_t>(
-    std::min(1.0, measuredAt / std::max(relative, 1e-6)) * this->options.mostClipped);
+    std::max(std::min(fewest, atOnePercent), atOnePercent * ratio * std::cbrt(ratio)));
 }
 
 RaySamplerOptions EstimateScene::sampling() const
