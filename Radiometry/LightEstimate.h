@@ -58,10 +58,10 @@ struct EstimateOptions
   std::uint32_t maximumRays = 16384;
 
   /// Occluders in a shaft that are cut out of the light at a relative tolerance of 1 %; more: rays.
-  /// At other tolerances it changes as the cost of rays does, with their power -4/3: about a ninth
-  /// at 5 %, 21 times as many at 0.1 % and below. (The default is where both cost the same,
-  /// Docs/radiometry.md.) 0: always rays.
-  std::uint32_t mostClipped = 192;
+  /// At other tolerances it changes as the cost of rays does: a fifth of it at 5 %, ten times as
+  /// many at 0.1 % and below. (The default is where both cost the same, Docs/radiometry.md.)
+  /// 0: always rays.
+  std::uint32_t mostClipped = 160;
 
   /// Whether the skyline is looked for.
   bool horizon = true;
@@ -113,10 +113,10 @@ struct EstimateReport
 /// the light and Lambert's sum taken of what is left (Clipping, Horizon), exact to about 1e-12;
 /// where many, hierarchical bounds, and rays where these leave more undecided than the tolerance.
 /// Rays go by the Owen-scrambled Sobol sequence, which doubles until the interval is below the
-/// tolerance. The interval is Student's of 95 % over eight blocks of the sequence, narrowed by how
-/// much better they are together than if they were independent, and widened by what the rays could
-/// have missed; measured with the stopping rule on, it covers the true value at more than 90 % of
-/// penumbra receivers (Testing/Radiometry/TestLightEstimate.cxx).
+/// tolerance; where all around agree, its points take over what was found there and no ray is cast.
+/// The interval comes from how often neighbours of the sequence differ, widened by what the rays
+/// could have missed; measured with the stopping rule on, it covers the true value at more than 90
+/// % of penumbra receivers (Testing/Radiometry/TestLightEstimate.cxx).
 ///
 /// The numbers do not depend on the number of threads. Throws UnsupportedQuery when the occluders
 /// do not support the precision, std::invalid_argument for options out of range and outputs that do

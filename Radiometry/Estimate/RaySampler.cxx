@@ -19,7 +19,7 @@ constexpr std::size_t batchSize = 4096;
 
 /// From so many rays on to one light they are cast one light after the other, for the structure to
 /// take neighbours together. Fewer are too far from each other, and lights take turns.
-constexpr std::uint32_t neighbours = 1024;
+constexpr std::size_t neighbours = 1024;
 
 } // namespace
 
@@ -58,41 +58,43 @@ void RaySampler::add(SampledLight light)
 
 void RaySampler::draw(std::size_t first, std::size_t last)
 {
+  std::size_t most = 0;
+  for (std::size_t at = first; at < last; ++at)
+  {
+    most += this->open_[at]->share.end() - this->open_[at]->share.begin();
+  }
+  if (this->samples_.size() < most)
+  {
+    this->points_.resize(most);
+    this->samples_.resize(most);
+    this->slots_.resize(most);
+    this->owners_.resize(most);
+    this->origins_.resize(3 * most);
+    this->directions_.resize(3 * most);
+    this->tMins_.resize(most);
+    this->tMaxs_.resize(most);
+    this->hit_.resize(most);
+  }
+  this->firstSample_.assign(1, 0);
   std::size_t count = 0;
-  this->firstSample_.clear();
   for (std::size_t at = first; at < last; ++at)
   {
-    this->firstSample_.push_back(count);
-    count += this->open_[at]->share.end() - this->open_[at]->share.begin();
-  }
-  if (this->samples_.size() < count)
-  {
-    this->points_.resize(count);
-    this->samples_.resize(count);
-    this->owners_.resize(count);
-    this->origins_.resize(3 * count);
-    this->directions_.resize(3 * count);
-    this->tMins_.resize(count);
-    this->tMaxs_.resize(count);
-    this->hit_.resize(count);
-  }
-  for (std::size_t at = first; at < last; ++at)
-  {
-    const Progress& progress = *this->open_[at];
-    const VisibleShare& share = progress.share;
-    const std::size_t to = this->firstSample_[at - first];
+    Progress& progress = *this->open_[at];
+    VisibleShare& share = progress.share;
     const Sobol sobol(Sobol::mix(progress.light.view.seed));
     for (std::uint32_t i = share.begin(); i < share.end(); ++i)
     {
-      this->points_[to + i - share.begin()] = sobol(i);
+      this->points_[count] = sobol(i);
+      count += share.takeOver(this->points_[count], this->slots_[count]) ? 0 : 1;
     }
+    const std::size_t from = this->firstSample_.back();
     progress.light.samples->draw(
-      this->points_.data() + to, share.end() - share.begin(), this->samples_.data() + to);
+      this->points_.data() + from, count - from, this->samples_.data() + from);
+    this->firstSample_.push_back(count);
   }
 }
 
-void RaySampler::addRay(
-  std::size_t at, std::uint32_t i, std::size_t sample, const RaySamplerOptions& options)
+void RaySampler::addRay(std::size_t at, std::size_t sample, const RaySamplerOptions& options)
 {
   Progress& progress = *this->batch_[at];
   const View& view = progress.light.view;
@@ -100,13 +102,12 @@ void RaySampler::addRay(
   const Vec3& way = drawn.sightline.direction;
   const double size = length(way);
   const double cosine = view.sided ? dot(view.normal, way) / size : 1.0;
-  const double light = drawn.radiance * drawn.weight * cosine;
+  const double light = drawn.radiance * drawn.weight * cosine / progress.light.full.main;
   if (!(light > 0.0) || !(size > 0.0))
   {
     return;
   }
-  const std::uint32_t block = progress.share.block(i);
-  progress.share.addLight(block, light);
+  progress.share.addLight(this->slots_[sample], light);
   const double tMin = view.clearance / size;
   const double tMax = drawn.sightline.endless
     ? std::numeric_limits<double>::infinity()
@@ -117,7 +118,7 @@ void RaySampler::addRay(
   }
   ++progress.rays;
   const std::size_t ray = this->size_++;
-  this->owners_[ray] = { static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(sample), block,
+  this->owners_[ray] = { static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(sample),
     light };
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -134,24 +135,23 @@ void RaySampler::cast(std::size_t first, std::size_t last, const RaySamplerOptio
   this->size_ = 0;
   this->batch_ = this->open_.data() + first;
   const std::size_t lights = last - first;
-  std::uint32_t most = 0;
+  std::size_t most = 0;
   bool skips = false;
   for (std::size_t at = 0; at < lights; ++at)
   {
-    const Progress& progress = *this->batch_[at];
-    most = std::max(most, progress.share.end() - progress.share.begin());
-    skips = skips || progress.light.view.skipCount > 0;
+    most = std::max(most, this->firstSample_[at + 1] - this->firstSample_[at]);
+    skips = skips || this->batch_[at]->light.view.skipCount > 0;
   }
-  const std::uint32_t turn = most < neighbours ? 1 : most;
-  for (std::uint32_t begin = 0; begin < most; begin += turn)
+  const std::size_t turn = most < neighbours ? 1 : most;
+  for (std::size_t begin = 0; begin < most; begin += turn)
   {
     for (std::size_t at = 0; at < lights; ++at)
     {
-      const VisibleShare& share = this->batch_[at]->share;
-      const std::uint32_t end = std::min(begin + turn, share.end() - share.begin());
-      for (std::uint32_t i = begin; i < end; ++i)
+      const std::size_t sample = this->firstSample_[at] + begin;
+      const std::size_t end = std::min(sample + turn, this->firstSample_[at + 1]);
+      for (std::size_t k = sample; k < end; ++k)
       {
-        this->addRay(at, i, this->firstSample_[at] + i, options);
+        this->addRay(at, k, options);
       }
     }
   }
@@ -196,7 +196,7 @@ void RaySampler::cast(std::size_t first, std::size_t last, const RaySamplerOptio
     {
       const RayOwner& owner = this->owners_[ray];
       Progress& progress = *this->batch_[owner.at];
-      progress.share.addHidden(owner.block, owner.light);
+      progress.share.hide(this->slots_[owner.sample], owner.light);
       if (progress.light.view.vector || progress.light.view.cylindrical)
       {
         progress.hidden.add(amountsOf(progress.light.view, this->samples_[owner.sample]));
@@ -214,13 +214,15 @@ bool RaySampler::finish(Progress& progress, const RaySamplerOptions& options)
   const double tolerance =
     std::max(light.tolerance, options.relativeTolerance * std::max(light.known + value, shade));
   const bool missed =
-    half > tolerance && std::uint64_t{ progress.share.end() } * 2 > options.maximumRays;
+    half > tolerance && std::uint64_t{ progress.share.cast() } * 2 > options.maximumRays;
   if (half > tolerance && !missed)
   {
+    const bool more = light.view.vector || light.view.cylindrical;
+    progress.share.goOn(more ? 0.0 : tolerance / light.full.main);
     return false;
   }
   const double all = progress.share.all();
-  const double scale = all > 0.0 ? light.full.main / all : 0.0;
+  const double scale = all > 0.0 ? 1.0 / all : 0.0;
   Estimate found;
   found.value.main = value;
   found.value.vector = light.full.vector - scale * progress.hidden.vector;
@@ -263,10 +265,6 @@ void RaySampler::run(const RaySamplerOptions& options)
     this->open_.erase(std::remove_if(this->open_.begin(), this->open_.end(),
                         [&](Progress* progress) { return finish(*progress, options); }),
       this->open_.end());
-    for (Progress* const progress : this->open_)
-    {
-      progress->share.goOn();
-    }
   }
   this->lights_.clear();
 }

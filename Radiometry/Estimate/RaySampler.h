@@ -66,9 +66,8 @@ private:
   void cast(std::size_t first, std::size_t last, const RaySamplerOptions& options);
   void draw(std::size_t first, std::size_t last);
 
-  /// Sample i of light number `at` of the batch, if there is a ray to be cast.
-  void addRay(
-    std::size_t at, std::uint32_t i, std::size_t sample, const RaySamplerOptions& options);
+  /// A sample of light number `at` of the batch, if there is a ray to be cast.
+  void addRay(std::size_t at, std::size_t sample, const RaySamplerOptions& options);
 
   /// Adds the light's answer to its estimate once it has one.
   static bool finish(Progress& progress, const RaySamplerOptions& options);
@@ -76,18 +75,19 @@ private:
   std::vector<Progress> lights_;
   std::vector<Progress*> open_;
 
-  // The batch: samples of some lights, one light after the other; and rays.
-  std::vector<std::array<double, 2>> points_;
-  std::vector<SourceSample> samples_;
-  std::vector<std::size_t> firstSample_; ///< of each light
   struct RayOwner
   {
     std::uint32_t at; ///< number of the light in the batch
     std::uint32_t sample;
-    std::uint32_t block;
-    double light; ///< main amount
+    double light; ///< main amount, over that of the whole light
   };
-  std::size_t size_ = 0; ///< how many of what follows are rays of the batch
+
+  // The batch: samples of some lights, one light after the other; and rays.
+  std::vector<std::array<double, 2>> points_;
+  std::vector<SourceSample> samples_;
+  std::vector<std::uint32_t> slots_;     ///< of VisibleShare, per sample
+  std::vector<std::size_t> firstSample_; ///< of each light, and the end
+  std::size_t size_ = 0;                 ///< how many of what follows are rays of the batch
   Progress* const* batch_ = nullptr;
   std::vector<RayOwner> owners_;
   std::vector<double> origins_;

@@ -18,7 +18,7 @@ namespace
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Lights to which rays are cast together.
-constexpr std::size_t mostQueued = 128;
+constexpr std::size_t mostQueued = 32;
 
 } // namespace
 

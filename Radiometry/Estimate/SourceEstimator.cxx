@@ -96,7 +96,7 @@ void SourceEstimatorBase::sample(const View& view, const Amounts& certain, const
 
 std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
 {
-  // Rays grow with the power -4/3 of the tolerance: their error falls with n^-¾.
+  // As measured, the cost of rays grows about as the tolerance shrinks.
   constexpr double measuredAt = 0.01;
   constexpr double leastTolerance = 1e-3;
   constexpr double fewest = 10.0; // what the first rays cost, whatever the tolerance
@@ -105,8 +105,7 @@ std::size_t EstimateScene::mostClipped(double absolute, double unoccluded) const
   const double relative = std::max(this->options.relativeTolerance, 4.0 * absolute / unoccluded);
   const double atOnePercent = this->options.mostClipped;
   const double ratio = measuredAt / std::max(relative, leastTolerance);
-  return static_cast<std::size_t>(
-    std::max(std::min(fewest, atOnePercent), atOnePercent * ratio * std::cbrt(ratio)));
+  return static_cast<std::size_t>(std::max(std::min(fewest, atOnePercent), atOnePercent * ratio));
 }
 
 RaySamplerOptions EstimateScene::sampling() const

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lumitree
 {
@@ -11,59 +12,152 @@ namespace lumitree
 namespace
 {
 
-/// The error of the mean of all rays over the one that the blocks' spread would give if they were
-/// independent: with it, intervals cover the truth at 93 to 97 % of penumbra receivers of five
-/// scenes and tolerances from 10 to 1 %. (Were the error to fall with n^-¾ exactly, it would be
-/// 8^-¼ = 0.59.)
-constexpr double narrowing = 0.65;
+/// Half the interval over the standard deviation of pairs, which is mostly more than the error:
+/// Docs/radiometry.md says how often intervals cover the truth with it.
+constexpr double width = 1.65;
 
-// Student's 97.5 % point for 7 degrees of freedom.
-constexpr double student = 2.3646;
+/// Cells of the first grid, of the largest with which to begin, and of the largest: longer
+/// sequences cast all rays.
+///@{
+constexpr int leastBits = 6;
+constexpr int mostFirstBits = 15;
+constexpr int mostBits = 17;
+///@}
+
+/// Parts of half the interval sought that the gaps, and what is found alone, may be for rays to be
+/// left out.
+///@{
+constexpr double mostGap = 0.5;
+constexpr double mostAlone = 0.6;
+///@}
 
 } // namespace
 
 void VisibleShare::startWith(double share, std::uint32_t most)
 {
-  while (share * this->end_ < 1.0 && std::uint64_t{ this->end_ } * 2 <= most)
+  int bits = leastBits;
+  while (
+    share * this->end_ < width && std::uint64_t{ this->end_ } * 2 <= most && bits < mostFirstBits)
   {
     this->end_ *= 2;
+    ++bits;
   }
-  this->perBlock_ = this->end_ / blockCount;
+  this->full_ = this->end_;
+  this->now_.reset(bits);
 }
 
-double VisibleShare::halfWidth() const
+bool VisibleShare::takeOver(const std::array<double, 2>& point, std::uint32_t& slot)
 {
-  const double share = this->hiddenShare();
-  double variance = 0.0;
-  std::uint32_t counted = 0;
-  for (const Sums& block : this->blocks_)
+  slot = this->now_.empty() ? 0 : this->now_.cell(point);
+  if (this->begin_ > 0 && !this->now_.empty())
   {
-    if (block.all > 0.0)
+    const std::uint32_t cell = this->now_.parent(slot);
+    const NetGrid::State state = this->before_.state(cell);
+    const float light = this->before_.light(cell);
+    this->now_.set(this->now_.twin(slot), state, light);
+    if (this->sparing_ && state != NetGrid::Nothing)
     {
-      const double off = block.hidden / block.all - share;
-      variance += off * off;
-      ++counted;
+      const NetGrid::State agreed = this->before_.agreed(cell);
+      if (agreed != NetGrid::Nothing)
+      {
+        this->addLight(slot, light);
+        if (state == NetGrid::Hidden)
+        {
+          this->hide(slot, light);
+        }
+        if (state != agreed)
+        {
+          this->takenAlone_ += 4.0 * light * light;
+        }
+        return true;
+      }
     }
   }
-  variance /= std::max(1u, counted - 1) * static_cast<double>(std::max(1u, counted));
-  // Blocks that agree say nothing about what is smaller than the gaps between all rays.
-  const double gap = 1.0 / this->end_;
-  return std::hypot(student * narrowing * std::sqrt(variance), gap);
+  ++this->cast_;
+  return false;
 }
 
-void VisibleShare::goOn()
+void VisibleShare::addLight(std::uint32_t slot, double light)
 {
-  // Two blocks become one, and there are four new ones.
-  for (std::uint32_t b = 0; b < blockCount; ++b)
+  this->all_ += light;
+  if (!this->now_.empty())
   {
-    const Sums* const old = &this->blocks_[b < blockCount / 2 ? 2 * b : 0];
-    this->blocks_[b] =
-      b < blockCount / 2 ? Sums{ old[0].all + old[1].all, old[0].hidden + old[1].hidden } : Sums{};
+    this->now_.set(slot, NetGrid::Lit, static_cast<float>(light));
   }
+}
+
+void VisibleShare::hide(std::uint32_t slot, double light)
+{
+  this->hidden_ += light;
+  if (!this->now_.empty())
+  {
+    this->now_.set(slot, NetGrid::Hidden, static_cast<float>(light));
+  }
+}
+
+void VisibleShare::judge()
+{
+  if (this->now_.empty())
+  {
+    return;
+  }
+  const double share = this->hiddenShare();
+  const auto off = [&](std::uint32_t cell)
+  {
+    const double hidden = this->now_.state(cell) == NetGrid::Hidden ? 1.0 : 0.0;
+    return this->now_.light(cell) * (hidden - share);
+  };
+  this->now_.compareNeighbours();
+  double pairs = 0.0;
+  this->alone_ = 0.0;
+  for (std::uint32_t cell = 0; cell < this->now_.size(); ++cell)
+  {
+    const std::uint32_t twin = this->now_.twin(cell);
+    if (cell < twin)
+    {
+      const double difference = off(cell) - off(twin);
+      pairs += difference * difference;
+    }
+    const NetGrid::State state = this->now_.state(cell);
+    const NetGrid::State agreed = this->now_.agreed(cell);
+    if (state != agreed && state != NetGrid::Nothing && agreed != NetGrid::Nothing)
+    {
+      const double light = this->now_.light(cell);
+      this->alone_ += light * light;
+    }
+  }
+  this->perPoint_ = (pairs + this->alone_ + this->takenAlone_) / this->end_;
+}
+
+double VisibleShare::halfWidth()
+{
+  this->judge();
+  // Points that agree say nothing about what is smaller than the gaps between all rays: one more
+  // that differs.
+  const double gap = 1.0 / this->full_;
+  const double deviation =
+    this->all_ > 0.0 ? std::sqrt(this->perPoint_ * this->end_) / this->all_ : 0.0;
+  return width * std::hypot(deviation, gap);
+}
+
+bool VisibleShare::canSpare(double sought) const
+{
+  return !this->now_.empty() && !this->before_.empty() && 1.0 / this->full_ <= mostGap * sought &&
+    width * std::sqrt(this->alone_) <= mostAlone * sought * this->all_;
+}
+
+void VisibleShare::goOn(double sought)
+{
   this->begin_ = this->end_;
   this->end_ *= 2;
-  this->firstBlock_ = blockCount / 2;
-  this->perBlock_ = this->end_ / blockCount;
+  std::swap(this->before_, this->now_);
+  const int bits = this->before_.bits() + 1;
+  this->now_.reset(this->before_.empty() || bits > mostBits ? -1 : bits);
+  this->sparing_ = this->canSpare(sought);
+  if (!this->sparing_)
+  {
+    this->full_ = this->cast_ == this->begin_ ? this->end_ : this->begin_;
+  }
 }
 
 } // namespace lumitree
