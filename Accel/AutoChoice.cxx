@@ -35,7 +35,7 @@ constexpr Calibration calibrations[] = {
   { Structure::Grid, BvhBuild::BinnedSah, 600.0, 50.0 },
   { Structure::Octree, BvhBuild::BinnedSah, 2500.0, 90.0 },
   { Structure::KdTree, BvhBuild::BinnedSah, 2300.0, 65.0 },
-  { Structure::BspTree, BvhBuild::BinnedSah, 70000.0, 75.0 },
+  { Structure::BspTree, BvhBuild::BinnedSah, 33000.0, 75.0 },
 };
 /// Brute force: per primitive built, per ray, and per ray and primitive; from some twenty primitives
 /// on a tree is quicker.

@@ -15,6 +15,8 @@ namespace
 
 /// What a plane costs that leaves one side empty.
 constexpr double emptyBonus = 0.8;
+/// Of the cell's area, what both sides of a plane certainly have together.
+constexpr double leastShare = 0.999;
 constexpr std::size_t trianglesTried = 16;
 constexpr std::size_t mostForPlanes = 4096;
 
@@ -26,11 +28,19 @@ struct Task : BspPart
   int depth = 0;
 };
 
-struct Division
+/// A plane that a cell may be divided by.
+struct Offer
 {
   BspPlane plane;
   double cost = 0.0;
-  std::optional<std::pair<Polyhedron, Polyhedron>> parts;
+};
+
+/// Those worth something, and the least that any costs.
+struct Offers
+{
+  double whole = 0.0; ///< area of the cell
+  double least = 0.0;
+  std::vector<Offer> list;
 };
 
 class Builder
@@ -94,8 +104,9 @@ private:
     {
       return false;
     }
-    Division best;
-    best.cost = leafCost(task.references.size());
+    Offers offers;
+    offers.whole = areaOf(task.polyhedron);
+    offers.least = leafCost(task.references.size());
     const KdSplit across = this->axisPlanes_.best(task.cell, task.references);
     if (across.axis >= 0)
     {
@@ -104,7 +115,7 @@ private:
       plane.normal[static_cast<std::size_t>(across.axis)] = 1.0;
       plane.offset = across.position;
       plane.inPlaneBelow = across.inPlaneBelow;
-      this->offer(task, plane, best);
+      this->offer(task, plane, offers);
     }
     if (task.references.size() <= mostForPlanes)
     {
@@ -115,12 +126,24 @@ private:
         {
           if (const auto plane = this->planeBeside(task.references[i].id, below))
           {
-            this->offer(task, *plane, best);
+            this->offer(task, *plane, offers);
           }
         }
       }
     }
-    return best.parts && this->divide(task, best, tasks);
+    // The cheapest that can be cut; where several cost the same, the first.
+    std::stable_sort(offers.list.begin(), offers.list.end(),
+      [](const Offer& a, const Offer& b) { return a.cost < b.cost; });
+    for (const Offer& offer : offers.list)
+    {
+      auto parts = cutPolyhedron(task.polyhedron, offer.plane.normal,
+        framedOffset(this->frame_, offer.plane.normal, offer.plane.offset));
+      if (parts)
+      {
+        return this->divide(task, offer.plane, std::move(*parts), tasks);
+      }
+    }
+    return false;
   }
 
   /// A plane so little beside a triangle that the triangle is certainly on the side asked for.
@@ -158,7 +181,7 @@ private:
     return plane;
   }
 
-  void offer(const Task& task, const BspPlane& plane, Division& best) const
+  void offer(const Task& task, const BspPlane& plane, Offers& offers)
   {
     std::size_t below = 0;
     std::size_t above = 0;
@@ -175,33 +198,34 @@ private:
     }
     const double step = plane.axis >= 0 ? bspAxisStepCost : bspPlaneStepCost;
     const double bonus = below == 0 || above == 0 ? emptyBonus : 1.0;
-    // The least that this plane can cost: the areas are at least half the cell's together.
-    if (bonus * (step + 0.5 * std::min(leafCost(below), leafCost(above))) >= best.cost)
+    // The least that this plane can cost: both areas together are the cell's and twice that of the
+    // cut, and neither is larger than the cell's (but for rounding). Most planes are not worth
+    // cutting the polyhedron.
+    if (bonus * (step + leastShare * std::min(leafCost(below), leafCost(above))) >= offers.least)
     {
       return;
     }
-    auto parts = cutPolyhedron(
+    const auto areas = this->cutAreas_(
       task.polyhedron, plane.normal, framedOffset(this->frame_, plane.normal, plane.offset));
-    const double whole = areaOf(task.polyhedron);
-    if (!parts || !(whole > 0.0))
+    if (!areas || !(offers.whole > 0.0))
     {
       return;
     }
     const double cost = bonus *
-      (step + areaOf(parts->first) / whole * leafCost(below) +
-        areaOf(parts->second) / whole * leafCost(above));
-    if (cost < best.cost)
+      (step + areas->first / offers.whole * leafCost(below) +
+        areas->second / offers.whole * leafCost(above));
+    if (cost < offers.least)
     {
-      best = { plane, cost, std::move(parts) };
+      offers.least = cost;
+      offers.list.push_back({ plane, cost });
     }
   }
 
   /// False where the sides would hold more than is allowed.
-  bool divide(const Task& task, Division& division, std::vector<Task>& tasks)
+  bool divide(const Task& task, const BspPlane& plane,
+    std::pair<Polyhedron, Polyhedron>&& polyhedra, std::vector<Task>& tasks)
   {
-    const BspPlane& plane = division.plane;
-    auto parts =
-      divideReferences(this->surface_, this->frame_, task, plane, std::move(*division.parts));
+    auto parts = divideReferences(this->surface_, this->frame_, task, plane, std::move(polyhedra));
     Task below{ std::move(parts.first), 0, 0, task.depth + 1 };
     Task above{ std::move(parts.second), 0, 0, task.depth + 1 };
     const std::size_t held = below.references.size() + above.references.size();
@@ -251,6 +275,7 @@ private:
   BuildProgress& progress_;
   WideBvhFrame frame_;
   KdPlaneSearch axisPlanes_;
+  CutAreas cutAreas_;
   BspNodes tree_;
 };
 

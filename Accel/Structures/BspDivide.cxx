@@ -83,20 +83,7 @@ BspSide sideOf(const Surface& surface, const KdReference& r, const BspPlane& pla
     return upper <= plane.offset ? BspSide::Below
                                  : (lower >= plane.offset ? BspSide::Above : BspSide::Both);
   }
-  // Of a body they are NaN, and nothing is certain.
-  bool below = true;
-  bool above = true;
-  for (const Vec3& p : surface.vertices(r.id))
-  {
-    const PlaneDistance distance(plane.normal, plane.offset, p);
-    below = below && distance.value < -distance.margin;
-    above = above && distance.value > distance.margin;
-  }
-  if (below || above)
-  {
-    return below ? BspSide::Below : BspSide::Above;
-  }
-  // The corners of the part's box that are farthest below and above.
+  // The corners of the part's box that are farthest below and above: mostly they decide.
   Vec3 low;
   Vec3 high;
   for (int k = 0; k < 3; ++k)
@@ -111,7 +98,24 @@ BspSide sideOf(const Surface& surface, const KdReference& r, const BspPlane& pla
   {
     return BspSide::Below;
   }
-  return lowest.value > lowest.margin ? BspSide::Above : BspSide::Both;
+  if (lowest.value > lowest.margin)
+  {
+    return BspSide::Above;
+  }
+  // Of a body vertices are NaN, and nothing is certain.
+  bool below = true;
+  bool above = true;
+  for (const Vec3& p : surface.vertices(r.id))
+  {
+    const PlaneDistance distance(plane.normal, plane.offset, p);
+    below = below && distance.value < -distance.margin;
+    above = above && distance.value > distance.margin;
+    if (!below && !above)
+    {
+      return BspSide::Both;
+    }
+  }
+  return below ? BspSide::Below : BspSide::Above;
 }
 
 std::pair<BspPart, BspPart> divideReferences(const Surface& surface, const WideBvhFrame& frame,

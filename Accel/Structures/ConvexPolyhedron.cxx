@@ -15,6 +15,44 @@ constexpr double flat = 0x1p-46;
 
 using Point = std::uint32_t;
 
+/// Each point's distance to the plane, and its side: -1, 1, or 0 where it is on it.
+void findSides(const Polyhedron& polyhedron, const Vec3& normal, double offset,
+  std::vector<double>& distance, std::vector<int>& side)
+{
+  const std::size_t count = polyhedron.points.size();
+  distance.resize(count);
+  side.resize(count);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    distance[i] = dot(normal, polyhedron.points[i]) - offset;
+    largest = std::max(largest, std::fabs(distance[i]));
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool isFlat = std::fabs(distance[i]) <= flat * largest;
+    side[i] = isFlat ? 0 : (distance[i] > 0.0 ? 1 : -1);
+  }
+}
+
+bool isCut(const std::vector<int>& side)
+{
+  return std::count(side.begin(), side.end(), -1) > 0 &&
+    std::count(side.begin(), side.end(), 1) > 0;
+}
+
+/// Where an edge crosses the plane; the same from either of its faces, with a before b.
+Vec3 crossingOf(const Vec3& a, const Vec3& b, double distanceOfA, double distanceOfB)
+{
+  const double s = distanceOfA / (distanceOfA - distanceOfB);
+  Vec3 x = a + s * (b - a);
+  for (int k = 0; k < 3; ++k)
+  {
+    x[k] = std::clamp(x[k], std::min(a[k], b[k]), std::max(a[k], b[k]));
+  }
+  return x;
+}
+
 /// Cuts one polyhedron. Points are decided once each, and the point on an edge is made once for the
 /// two faces that share it, so that the parts are closed.
 class Cut
@@ -23,27 +61,11 @@ public:
   Cut(const Polyhedron& whole, const Vec3& normal, double offset)
     : whole_(whole)
     , points_(whole.points)
-    , side_(whole.points.size(), 0)
-    , distance_(whole.points.size())
   {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < whole.points.size(); ++i)
-    {
-      this->distance_[i] = dot(normal, whole.points[i]) - offset;
-      largest = std::max(largest, std::fabs(this->distance_[i]));
-    }
-    for (std::size_t i = 0; i < whole.points.size(); ++i)
-    {
-      const bool isFlat = std::fabs(this->distance_[i]) <= flat * largest;
-      this->side_[i] = isFlat ? 0 : (this->distance_[i] > 0.0 ? 1 : -1);
-    }
+    findSides(whole, normal, offset, this->distance_, this->side_);
   }
 
-  [[nodiscard]] bool parts() const
-  {
-    return std::count(this->side_.begin(), this->side_.end(), -1) > 0 &&
-      std::count(this->side_.begin(), this->side_.end(), 1) > 0;
-  }
+  [[nodiscard]] bool parts() const { return isCut(this->side_); }
 
   /// The part at the side -1 or 1; nothing where rounding has left it open.
   std::optional<Polyhedron> part(int kept)
@@ -123,14 +145,8 @@ private:
     {
       return found->second;
     }
-    const double s = this->distance_[a] / (this->distance_[a] - this->distance_[b]);
-    const Vec3& from = this->points_[a];
-    const Vec3& to = this->points_[b];
-    Vec3 x = from + s * (to - from);
-    for (int k = 0; k < 3; ++k)
-    {
-      x[k] = std::clamp(x[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
-    }
+    const Vec3 x =
+      crossingOf(this->points_[a], this->points_[b], this->distance_[a], this->distance_[b]);
     const auto made = static_cast<Point>(this->points_.size());
     this->points_.push_back(x);
     this->crossings_[{ a, b }] = made;
@@ -200,6 +216,66 @@ std::optional<std::pair<Polyhedron, Polyhedron>> cutPolyhedron(
     return std::nullopt;
   }
   return std::make_pair(std::move(*below), std::move(*above));
+}
+
+std::optional<std::pair<double, double>> CutAreas::operator()(
+  const Polyhedron& polyhedron, const Vec3& normal, double offset)
+{
+  findSides(polyhedron, normal, offset, this->distance_, this->side_);
+  if (!isCut(this->side_))
+  {
+    return std::nullopt;
+  }
+  return std::make_pair(this->areaOfPart(polyhedron, -1), this->areaOfPart(polyhedron, 1));
+}
+
+double CutAreas::areaOfPart(const Polyhedron& polyhedron, int kept) const
+{
+  double area = 0.0;
+  Vec3 open = { 0.0, 0.0, 0.0 }; // the new face closes the part: all faces' vectors add up to 0
+  for (const std::vector<Point>& face : polyhedron.faces)
+  {
+    Vec3 first;
+    Vec3 last;
+    Vec3 sum = { 0.0, 0.0, 0.0 };
+    int count = 0;
+    bool reaches = false;
+    const auto add = [&](const Vec3& p)
+    {
+      if (count == 0)
+      {
+        first = p;
+      }
+      else
+      {
+        sum = sum + cross(last - first, p - first);
+      }
+      last = p;
+      ++count;
+    };
+    for (std::size_t i = 0; i < face.size(); ++i)
+    {
+      const Point a = face[i];
+      const Point b = face[i + 1 < face.size() ? i + 1 : 0];
+      reaches = reaches || this->side_[a] == kept;
+      if (this->side_[a] != -kept)
+      {
+        add(polyhedron.points[a]);
+      }
+      if (this->side_[a] * this->side_[b] < 0)
+      {
+        const auto [low, high] = std::minmax(a, b);
+        add(crossingOf(polyhedron.points[low], polyhedron.points[high], this->distance_[low],
+          this->distance_[high]));
+      }
+    }
+    if (reaches)
+    {
+      area += 0.5 * length(sum);
+      open = open + 0.5 * sum;
+    }
+  }
+  return area + length(open);
 }
 
 double areaOf(const Polyhedron& polyhedron)
