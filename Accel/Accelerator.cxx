@@ -77,6 +77,18 @@ Accelerator::Accelerator(std::shared_ptr<const Surface> surface, const BuildOpti
 
 Accelerator::~Accelerator() = default;
 
+Precision Accelerator::bestPrecision() const
+{
+  for (const Precision precision : { Precision::Exact, Precision::Watertight })
+  {
+    if (this->supports(precision))
+    {
+      return precision;
+    }
+  }
+  return Precision::Fast;
+}
+
 QueryReport Accelerator::ties(const RayBatch&, AllHits&, const QueryOptions&) const
 {
   refuse(*this, QueryKind::Ties);

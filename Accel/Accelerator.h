@@ -64,6 +64,9 @@ public:
   /// Whether queries of that precision are answered; others throw UnsupportedQuery.
   [[nodiscard]] virtual bool supports(Precision) const = 0;
 
+  /// The most exact precision of those that it supports: Exact of all structures of ours.
+  [[nodiscard]] Precision bestPrecision() const;
+
   /// The nearest hit of each ray.
   virtual QueryReport closest(
     const RayBatch& rays, Hit* hits, const QueryOptions& options = {}) const = 0;

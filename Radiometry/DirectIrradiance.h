@@ -19,7 +19,7 @@ struct DirectOptions
 {
   /// What casts shadows; null: nothing does.
   const Accelerator* occluders = nullptr;
-  Precision precision = Precision::Fast;
+  Precision precision = Precision::Exact;
   int threads = 0; ///< 0: as many as oneTBB gives
   JobControl* control = nullptr;
 };

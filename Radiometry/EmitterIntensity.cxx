@@ -183,6 +183,7 @@ private:
     batch.directions = this->directions_.data();
     batch.tMin = clearance;
     QueryOptions query;
+    query.precision = this->emitter_.precision;
     query.threads = 1;
     this->hit_.resize(count);
     this->emitter_.occluders->any(batch, this->hit_.data(), query);

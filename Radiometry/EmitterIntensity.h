@@ -21,6 +21,7 @@ struct Emitter
   bool twoSided = false;
   double metresPerUnit = 1.0;
   std::uint32_t mostClipped = 64; ///< occluders over a triangle that are cut out; more: rays
+  Precision precision = Precision::Exact; ///< of rays
   std::uint32_t rays = 64;        ///< from a triangle in one direction, where it is sampled; 2^k
   int threads = 0;
   JobControl* control = nullptr;

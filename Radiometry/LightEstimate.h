@@ -42,7 +42,7 @@ struct EstimateOptions
 {
   /// What casts shadows; null: nothing does.
   const Accelerator* occluders = nullptr;
-  Precision precision = Precision::Fast; ///< of rays; all else is exact
+  Precision precision = Precision::Exact; ///< of rays; all else is exact
   int threads = 0;                       ///< 0: as many as oneTBB gives
   JobControl* control = nullptr;
 

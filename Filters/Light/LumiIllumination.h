@@ -60,7 +60,7 @@ struct Illumination
   Lights lights;
   std::shared_ptr<const Tree> tree; ///< what casts shadows; null: nothing does
   ReceiverLocation location = ReceiverLocation::Cells;
-  Precision precision = Precision::Fast;
+  Precision precision = Precision::Exact;
   IlluminationArrays arrays;
   double relativeTolerance = 0.01;
   double absoluteTolerance = 0.0;

@@ -81,7 +81,6 @@ struct vtkLumiIrradiance::Internals
     light.lights = filters::readLights(
       inputs[2], filters::metresPerUnit(self->LengthUnit), self->GetController());
     light.location = static_cast<filters::ReceiverLocation>(self->ReceiverLocation);
-    light.precision = static_cast<lumitree::Precision>(self->GetPrecision());
     light.arrays = { self->PerLightArrays, self->TwoSided, self->ScalarIrradiance,
       self->LightVector, self->CylindricalIrradiance, self->HemisphericalIrradiance,
       self->EstimateArrays, self->ShadowMasks };
@@ -96,8 +95,12 @@ struct vtkLumiIrradiance::Internals
       this->Tree = filters::treeFor(vtkDataObject::GetData(occluders), filters::buildOptions(self),
         self->GetController(), self, filters::GatherArrays::No, buildJob.control(),
         filters::treeSource(self, this->Tree));
+      if (!this->Tree)
+      {
+        return false;
+      }
       light.tree = this->Tree;
-      return light.tree != nullptr;
+      light.precision = filters::precisionOf(self->GetPrecision(), this->Tree->accelerator.get());
     }
     return true;
   }

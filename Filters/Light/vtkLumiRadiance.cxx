@@ -78,7 +78,6 @@ struct vtkLumiRadiance::Internals
     this->Reflectances.clear();
     lumitree::EstimateOptions& estimate = this->Options.estimate;
     estimate.occluders = nullptr;
-    estimate.precision = static_cast<lumitree::Precision>(self->GetPrecision());
     estimate.threads = filters::threadsFor(self->GetNumberOfThreads());
     estimate.relativeTolerance = self->RelativeTolerance;
     estimate.maximumRays = static_cast<std::uint32_t>(self->MaximumRays);
@@ -98,6 +97,7 @@ struct vtkLumiRadiance::Internals
       return false;
     }
     estimate.occluders = this->Tree->accelerator.get();
+    estimate.precision = filters::precisionOf(self->GetPrecision(), estimate.occluders);
     if (self->Reflection)
     {
       this->Reflectances = filters::readReflectances(*this->Tree->input, self->Reflectance);

@@ -135,6 +135,7 @@ struct vtkLumiRadiantIntensity::Internals
     lumitree::Emitter emitter;
     emitter.surface = &this->Surface->accelerator->surface();
     emitter.occluders = (this->Occluders ? this->Occluders : this->Surface)->accelerator.get();
+    emitter.precision = filters::precisionOf(self->GetPrecision(), emitter.occluders);
     emitter.radiance = 1.0;
     emitter.twoSided = self->TwoSided;
     emitter.metresPerUnit = filters::metresPerUnit(self->LengthUnit);

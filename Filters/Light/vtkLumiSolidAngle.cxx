@@ -72,7 +72,7 @@ struct vtkLumiSolidAngle::Internals
     outputs.scalar = array("VisibleSolidAngle");
     lumitree::EstimateOptions options;
     options.occluders = (this->Occluders ? this->Occluders : this->Surface)->accelerator.get();
-    options.precision = static_cast<lumitree::Precision>(self->GetPrecision());
+    options.precision = filters::precisionOf(self->GetPrecision(), options.occluders);
     options.relativeTolerance = self->RelativeTolerance;
     options.threads = threads;
     options.control = control;

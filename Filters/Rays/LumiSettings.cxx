@@ -52,10 +52,20 @@ TreeSource treeSource(
   return source;
 }
 
-QueryOptions queryOptions(vtkLumiStructureAlgorithm* filter, Job& job)
+Precision precisionOf(int precision, const Accelerator* accelerator)
+{
+  if (precision != vtkLumiStructureAlgorithm::Automatic)
+  {
+    return static_cast<Precision>(precision);
+  }
+  return accelerator ? accelerator->bestPrecision() : Precision::Exact;
+}
+
+QueryOptions queryOptions(
+  vtkLumiStructureAlgorithm* filter, const Accelerator& accelerator, Job& job)
 {
   QueryOptions options;
-  options.precision = static_cast<Precision>(filter->GetPrecision());
+  options.precision = precisionOf(filter->GetPrecision(), &accelerator);
   options.threads = threadsFor(filter->GetNumberOfThreads());
   options.control = job.control();
   return options;

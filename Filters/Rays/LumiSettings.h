@@ -23,7 +23,11 @@ namespace lumitree::filters
 [[nodiscard]] LUMITREEFILTERSRAYS_EXPORT BuildOptions buildOptions(
   vtkLumiStructureAlgorithm* filter);
 [[nodiscard]] LUMITREEFILTERSRAYS_EXPORT QueryOptions queryOptions(
-  vtkLumiStructureAlgorithm* filter, Job& job);
+  vtkLumiStructureAlgorithm* filter, const Accelerator& accelerator, Job& job);
+/// precision: one of vtkLumiStructureAlgorithm::Precisions. accelerator: null where no rays are
+/// cast.
+[[nodiscard]] LUMITREEFILTERSRAYS_EXPORT Precision precisionOf(
+  int precision, const Accelerator* accelerator);
 /// before: what the filter had; withFile: whether its StructureFile is of this structure.
 [[nodiscard]] LUMITREEFILTERSRAYS_EXPORT TreeSource treeSource(vtkLumiStructureAlgorithm* filter,
   const std::shared_ptr<const Tree>& before, bool withFile = true);

@@ -138,9 +138,10 @@ bool vtkLumiAccelerationStructure::Internals::Cast(
   try
   {
     filters::Job job(self, 0.5, 0.9);
+    const lumitree::Accelerator& accelerator = *self->Impl->Tree->accelerator;
     const lumitree::QueryReport report =
-      visits.cast(static_cast<lumitree::QueryKind>(self->GetQuery()),
-        *self->Impl->Tree->accelerator, rays.batch, filters::queryOptions(self, job));
+      visits.cast(static_cast<lumitree::QueryKind>(self->GetQuery()), accelerator, rays.batch,
+        filters::queryOptions(self, accelerator, job));
     filters::warnOfInvalidRays(self, report, rays);
     return true;
   }

@@ -184,7 +184,7 @@ void vtkLumiRayCast::Internals::Cast(vtkLumiRayCast* self, const filters::RayInp
   const filters::Tree& tree = *self->Impl->Tree;
   const filters::Buffer<lumitree::RayCounters> counters(self->CountTraversal ? rays.batch.size : 0);
   filters::Job job(self, buildShare, 0.9);
-  lumitree::QueryOptions options = filters::queryOptions(self, job);
+  lumitree::QueryOptions options = filters::queryOptions(self, *tree.accelerator, job);
   options.perRay = counters.data();
   options.perPrimitive = tests.empty() ? nullptr : tests.data();
   options.roundedT = self->RoundedParameter && options.precision == lumitree::Precision::Exact;

@@ -168,12 +168,13 @@ struct vtkLumiRayDisagreement::Internals
   {
     const auto query = static_cast<lumitree::QueryKind>(self->GetQuery());
     filters::Job job(self, BuildShare, 0.6);
-    lumitree::QueryOptions options = filters::queryOptions(self, job);
+    lumitree::QueryOptions options = filters::queryOptions(self, *this->Trees[0]->accelerator, job);
     const filters::Cast cast(query, *this->Trees[0]->accelerator, rays.batch, options);
     filters::warnOfInvalidRays(self, cast.report(), rays);
     filters::Job otherJob(self, 0.6, 0.9);
     options.control = otherJob.control();
-    options.precision = static_cast<lumitree::Precision>(self->OtherPrecision);
+    options.precision =
+      filters::precisionOf(self->OtherPrecision, this->Trees[1]->accelerator.get());
     const filters::Cast other(query, *this->Trees[1]->accelerator, rays.batch, options);
     std::vector<Found> found;
     if (!cast.report().completed || !other.report().completed)
@@ -200,10 +201,13 @@ struct vtkLumiRayDisagreement::Internals
   {
     filters::Row row(table, present);
     row.add("Structure", lumitree::name(this->Trees[0]->accelerator->options().structure));
-    row.add("Precision", lumitree::name(static_cast<lumitree::Precision>(self->GetPrecision())));
+    row.add("Precision",
+      lumitree::name(
+        filters::precisionOf(self->GetPrecision(), this->Trees[0]->accelerator.get())));
     row.add("OtherStructure", lumitree::name(this->Trees[1]->accelerator->options().structure));
-    row.add(
-      "OtherPrecision", lumitree::name(static_cast<lumitree::Precision>(self->OtherPrecision)));
+    row.add("OtherPrecision",
+      lumitree::name(
+        filters::precisionOf(self->OtherPrecision, this->Trees[1]->accelerator.get())));
     row.add("Rays", static_cast<std::uint64_t>(tally[0]));
     row.add("Agree", static_cast<std::uint64_t>(tally[1]));
     for (int kind = 0; kind < filters::disagreementKinds; ++kind)
@@ -219,6 +223,7 @@ vtkStandardNewMacro(vtkLumiRayDisagreement);
 vtkLumiRayDisagreement::vtkLumiRayDisagreement()
   : Impl(new Internals)
 {
+  this->SetPrecision(Fast);
 }
 
 vtkLumiRayDisagreement::~vtkLumiRayDisagreement() = default;

@@ -61,7 +61,7 @@ public:
   /**
    * The precision of the other back end, one of Precisions. Default Exact.
    */
-  vtkSetClampMacro(OtherPrecision, int, Fast, Exact);
+  vtkSetClampMacro(OtherPrecision, int, Fast, Automatic);
   vtkGetMacro(OtherPrecision, int);
   ///@}
 

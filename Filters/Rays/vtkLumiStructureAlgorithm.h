@@ -57,9 +57,10 @@ public:
    */
   enum Precisions
   {
-    Fast = 0,
-    Watertight = 1,
-    Exact = 2
+    Fast = 0,       ///< floating point as it comes: may leak at edges
+    Watertight = 1, ///< nothing passes through a closed mesh
+    Exact = 2,      ///< what rational arithmetic on the stored numbers says
+    Automatic = 3   ///< the most exact that the structure promises: Exact of all but references
   };
 
   /**
@@ -93,9 +94,9 @@ public:
 
   ///@{
   /**
-   * One of Precisions. One that the structure cannot promise is an error. Default Fast.
+   * One of Precisions. One that the structure cannot promise is an error. Default Automatic.
    */
-  vtkSetClampMacro(Precision, int, Fast, Exact);
+  vtkSetClampMacro(Precision, int, Fast, Automatic);
   vtkGetMacro(Precision, int);
   ///@}
 
@@ -229,7 +230,7 @@ private:
   void operator=(const vtkLumiStructureAlgorithm&) = delete;
 
   int Structure = Auto;
-  int Precision = Fast;
+  int Precision = Automatic;
   int BvhBuild = BinnedSah;
   int KdBuild = Sah;
   int LeafSize = 4;

@@ -56,9 +56,9 @@ struct vtkLumiStructureComparison::Internals
   {
     lumitree::BuildOptions options;
     options.structure = static_cast<lumitree::Structure>(self->ReferenceStructure);
-    lumitree::QueryOptions asked = filters::queryOptions(self, job);
-    asked.precision = lumitree::Precision::Exact;
     const auto accelerator = lumitree::build(this->Surface->surface, options, job.control());
+    lumitree::QueryOptions asked = filters::queryOptions(self, *accelerator, job);
+    asked.precision = lumitree::Precision::Exact;
     return std::make_unique<const filters::Cast>(query, *accelerator, this->Rays.batch, asked);
   }
 
@@ -92,7 +92,7 @@ struct vtkLumiStructureComparison::Internals
         accelerator = lumitree::build(this->Surface->surface, rows[i], building.control());
         filters::Job casting(self, begin + share / 2, begin + share);
         trial = filters::tryOut(*accelerator, query, this->Rays.batch,
-          filters::queryOptions(self, casting), self->Repetitions, truth.get());
+          filters::queryOptions(self, *accelerator, casting), self->Repetitions, truth.get());
         stopped = !trial;
       }
       catch (const lumitree::BuildStopped&)

@@ -35,6 +35,7 @@ class Precision(IntEnum):
     FAST = 0
     WATERTIGHT = 1
     EXACT = 2
+    AUTOMATIC = 3
 
 
 class BvhBuild(IntEnum):

@@ -105,7 +105,7 @@ def make_parser() -> argparse.ArgumentParser:
         "--structure", choices=names(Structure), default="auto", help="default: %(default)s"
     )
     tree.add_argument(
-        "--precision", choices=names(Precision), default="fast", help="default: %(default)s"
+        "--precision", choices=names(Precision), default="automatic", help="default: %(default)s"
     )
     tree.add_argument(
         "--bvh-build", choices=names(BvhBuild), default="binned_sah", help="default: %(default)s"

@@ -106,7 +106,7 @@ def irradiance(
     maximum_rays: int = 16384,
     quantities: Sequence[str] = (),
     shadows: bool = True,
-    precision: Precision | str = "fast",
+    precision: Precision | str = "automatic",
     structure: Structure | str = "auto",
     threads: int = 0,
     progress: Callable[[float], None] | None = None,

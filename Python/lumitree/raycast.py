@@ -131,8 +131,8 @@ class Caster:
         ``"kd_tree"``, ``"bsp_tree"``, ``"embree"``, ``"cgal"``, ``"cgal_epick"`` or
         ``"cgal_cartesian"``. One that this build lacks is an
         error.
-    precision : ``"fast"`` (may leak at edges), ``"watertight"`` or ``"exact"``. None: exact for
-        what only that answers (``crossings``, `rounded_t`), else fast.
+    precision : ``"fast"`` (may leak at edges), ``"watertight"``, ``"exact"``, or ``"automatic"``:
+        the most exact that the structure promises, ``"exact"`` of all but the references.
     bvh_build : ``"binned_sah"``, ``"longest_axis_median"``, ``"sweep_sah"``, ``"spatial_splits"`` or
         ``"morton"``.
     kd_build : ``"sah"`` or ``"spatial_median"``.
@@ -162,7 +162,7 @@ class Caster:
         mesh: Mesh,
         *,
         structure: Structure | str = "auto",
-        precision: Precision | str | None = None,
+        precision: Precision | str = "automatic",
         bvh_build: BvhBuild | str = "binned_sah",
         kd_build: KdBuild | str = "sah",
         leaf_size: int = 4,
@@ -179,7 +179,7 @@ class Caster:
         set_structure(
             self._filter,
             structure,
-            precision=Precision.FAST if precision is None else precision,
+            precision=precision,
             bvh_build=bvh_build,
             kd_build=kd_build,
             leaf_size=leaf_size,
@@ -192,7 +192,6 @@ class Caster:
             structure_file=structure_file,
             structure_file_use=structure_file_use,
         )
-        self._chooses_precision = precision is None
         self.mesh = mesh
 
     @property
@@ -263,10 +262,7 @@ class Caster:
         self._filter.SetQuery(question)
         self._filter.SetCountTraversal(bool(cost))
         self._filter.SetRoundedParameter(bool(rounded_t))
-        if self._chooses_precision:
-            exact = rounded_t or question == Query.CROSSINGS
-            self._filter.SetPrecision(Precision.EXACT if exact else Precision.FAST)
-        elif rounded_t and self._filter.GetPrecision() != Precision.EXACT:
+        if rounded_t and self._filter.GetPrecision() not in (Precision.EXACT, Precision.AUTOMATIC):
             raise ValueError("rounded_t needs the precision 'exact'")
         run(self._filter, progress)
         return _hits(self._filter, question, cost)
@@ -279,7 +275,7 @@ def cast(
     t_min: ArrayLike = 0.0,
     t_max: ArrayLike = np.inf,
     query: Query | str = "closest",
-    precision: Precision | str | None = None,
+    precision: Precision | str = "automatic",
     structure: Structure | str = "auto",
     threads: int = 0,
     *,

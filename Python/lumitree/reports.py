@@ -39,7 +39,7 @@ class Report:
     view: View
     pictures: bool = True
     structure: str = "auto"
-    precision: str = "fast"
+    precision: str = "automatic"
     bvh_build: str = "binned_sah"
     kd_build: str = "sah"
     leaf_size: int = 4

@@ -18,7 +18,7 @@ def set_structure(
     filter_: vtkLumiStructureAlgorithm,
     structure: Structure | str = "auto",
     *,
-    precision: Precision | str = "fast",
+    precision: Precision | str = "automatic",
     bvh_build: BvhBuild | str = "binned_sah",
     kd_build: KdBuild | str = "sah",
     leaf_size: int = 4,

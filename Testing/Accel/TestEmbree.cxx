@@ -330,6 +330,7 @@ TEST_F(Embree, PromisesFastOnly)
 {
   const auto accelerator = embree(this->torus_);
   EXPECT_TRUE(accelerator->supports(Precision::Fast));
+  EXPECT_EQ(accelerator->bestPrecision(), Precision::Fast);
   std::vector<Hit> hits(this->rays_.size());
   for (const Precision precision : { Precision::Watertight, Precision::Exact })
   {

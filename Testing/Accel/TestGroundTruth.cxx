@@ -271,6 +271,7 @@ TEST_F(GroundTruth, CgalAnswersExactQueriesOnly)
 {
   const auto truth = cgal(scenes().front().surface);
   EXPECT_TRUE(truth->supports(Precision::Exact));
+  EXPECT_EQ(truth->bestPrecision(), Precision::Exact);
   Rays rays;
   rays.add({ 0.5, 0.5, 0.5 }, { 0, 0, 1 });
   Hit hit;

@@ -13,7 +13,7 @@ CHOICES = {
     "vtkLumiShapeLight.Shape": "Sphere Disk Rectangle Tube Line",
     "Structure": "Auto BruteForce Bvh WideBvh Grid Octree KdTree BspTree Embree Cgal CgalEpick "
     "CgalCartesian",
-    "Precision": "Fast Watertight Exact",
+    "Precision": "Fast Watertight Exact Automatic",
     "BvhBuild": "LongestAxisMedian BinnedSah SweepSah SpatialSplits Morton",
     "KdBuild": "SpatialMedian Sah",
     "Query": "Closest Any All Count Crossings Ties",

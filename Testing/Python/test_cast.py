@@ -116,7 +116,14 @@ def test_crossings_are_of_exact_alone():
         lumitree.cast(FLOORS, ABOVE, DOWN, query="crossings", precision="fast")
     caster = lumitree.Caster(FLOORS)
     assert caster.cast(ABOVE, DOWN, query="crossings").statistics["Precision"] == "exact"
-    assert caster.cast(ABOVE, DOWN).statistics["Precision"] == "fast"
+
+
+def test_the_precision_is_the_most_exact_that_the_structure_promises():
+    for structure in ("auto", "brute_force", "bvh", "wide_bvh", "grid", "octree", "kd_tree"):
+        statistics = lumitree.cast(FLOORS, ABOVE, DOWN, structure=structure).statistics
+        assert statistics["Precision"] == "exact"
+    chosen = lumitree.cast(FLOORS, ABOVE, DOWN, precision="watertight")
+    assert chosen.statistics["Precision"] == "watertight"
 
 
 def test_ties_are_all_hits_at_the_least_t():
