@@ -41,7 +41,7 @@ struct JobControl
 /// How a batch is to be answered.
 struct QueryOptions
 {
-  Precision precision = Precision::Exact;
+  Precision precision = Precision::Exact; ///< of references see Accelerator::bestPrecision
   int threads = 0; ///< 0: as many as oneTBB gives
   /// Exact: t is the double nearest to the exact t, of two equally near the even one, and not only
   /// within one float ulp of it. With another precision the query is refused (UnsupportedQuery).

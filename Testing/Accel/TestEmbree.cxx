@@ -177,7 +177,7 @@ TEST_F(Embree, ThreadsDoNotMatter)
   const auto accelerator = embree(this->torus_);
   const auto serial = closest(*accelerator, this->rays_.batch(), Precision::Fast);
   std::vector<Hit> parallel(serial.size());
-  QueryOptions options;
+  QueryOptions options = with(Precision::Fast);
   options.threads = 4;
   accelerator->closest(this->rays_.batch(), parallel.data(), options);
   for (std::size_t i = 0; i < serial.size(); ++i)
