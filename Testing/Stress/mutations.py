@@ -223,7 +223,7 @@ DECISIONS = [
            PRECISIONS, "c.key = std::max(x.t, tEnter);", "c.key = x.t;"),
     mutant("Fast hits a primitive whose box it does not meet", "AgainstBruteForce Stress",
            PRECISIONS, "return met;", "return true;"),
-    mutant("Fast takes a vague t for the key", "Stress AgainstBruteForce",
+    mutant("Fast takes a vague t for the key", "AgainstBruteForce",
            PRECISIONS, "x.tHigh - x.tLow <= 0.5 * RayBox::relativePad * std::fabs(x.t)", "true"),
     mutant("Fast: of equal keys the highest primitive wins", "AgainstBruteForce Triangles",
            PRECISIONS, "std::tie(a.key, a.primitive, a.root) < std::tie(b.key, b.primitive, b.root)",
