@@ -5,11 +5,12 @@
 #include "Radiometry/Checks.h"
 #include "Radiometry/Constants.h"
 #include "Radiometry/LambertPolygon.h"
+#include "Radiometry/Looking/PolygonsAlongRay.h"
 #include "Radiometry/PolygonTriangles.h"
-#include "Radiometry/SphericalTriangle.h"
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace lumitree
 {
@@ -17,12 +18,8 @@ namespace lumitree
 namespace
 {
 
-// Up to so many triangles each sample weighs them all.
-constexpr std::size_t fewTriangles = 32;
-
 /// Corners as a position sees them, until the next call on the same thread.
-template <class Corners>
-const std::vector<Vec3>& seenFrom(const Vec3& position, const Corners& corners)
+const std::vector<Vec3>& seenFrom(const Vec3& position, const std::vector<Vec3>& corners)
 {
   thread_local std::vector<Vec3> ways;
   ways.clear();
@@ -35,10 +32,18 @@ const std::vector<Vec3>& seenFrom(const Vec3& position, const Corners& corners)
 
 } // namespace
 
+/// Made when it is first asked for.
+struct PolygonSource::Finder
+{
+  std::once_flag once;
+  std::optional<PolygonsAlongRay> polygons;
+};
+
 PolygonSource::PolygonSource(std::vector<EmittingPolygon> polygons, double metresPerUnit)
   : polygons_(std::move(polygons))
   , middle_({ 0.0, 0.0, 0.0 })
   , metresPerUnit_(checks::positive(metresPerUnit, "The number of metres per unit of length"))
+  , finder_(std::make_shared<Finder>())
 {
   double powers = 0.0;
   double areas = 0.0;
@@ -156,124 +161,69 @@ std::optional<double> PolygonSource::radiance(const Vec3& position, const Vec3& 
   return this->sumOfCrossings(position, direction);
 }
 
+void PolygonSource::crossing(const EmittingPolygon& polygon, const Vec3& position,
+  const Vec3& direction, std::vector<SourceCrossing>& to)
+{
+  const double way = PolygonSource::side(polygon, position);
+  const double towards = dot(polygon.normal, direction);
+  if (way * towards >= 0.0)
+  {
+    return;
+  }
+  const double t = dot(polygon.normal, polygon.corners[0] - position) / towards;
+  const Vec3 point = position + t * direction;
+  // Crossings of the outline by a line in the plane of the polygon, along its two larger axes.
+  const Vec3 size = { std::fabs(polygon.normal[0]), std::fabs(polygon.normal[1]),
+    std::fabs(polygon.normal[2]) };
+  const int drop = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+  const int x = (drop + 1) % 3;
+  const int y = (drop + 2) % 3;
+  bool inside = false;
+  const std::size_t corners = polygon.corners.size();
+  for (std::size_t i = 0; i < corners; ++i)
+  {
+    const Vec3& a = polygon.corners[i];
+    const Vec3& b = polygon.corners[(i + 1) % corners];
+    if ((a[y] > point[y]) != (b[y] > point[y]) &&
+      point[x] < a[x] + (point[y] - a[y]) / (b[y] - a[y]) * (b[x] - a[x]))
+    {
+      inside = !inside;
+    }
+  }
+  if (inside && polygon.radiance > 0.0)
+  {
+    to.push_back({ t, polygon.radiance });
+  }
+}
+
 void PolygonSource::crossings(
   const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const
 {
-  for (const EmittingPolygon& polygon : this->polygons_)
+  constexpr std::size_t fewPolygons = 32;
+  if (this->polygons_.size() <= fewPolygons || this->triangles_.empty())
   {
-    const double way = PolygonSource::side(polygon, position);
-    const double towards = dot(polygon.normal, direction);
-    if (way * towards >= 0.0)
+    for (const EmittingPolygon& polygon : this->polygons_)
     {
-      continue;
+      PolygonSource::crossing(polygon, position, direction, to);
     }
-    const double t = dot(polygon.normal, polygon.corners[0] - position) / towards;
-    const Vec3 point = position + t * direction;
-    // Crossings of the outline by a line in the plane of the polygon, along its two larger axes.
-    const Vec3 size = { std::fabs(polygon.normal[0]), std::fabs(polygon.normal[1]),
-      std::fabs(polygon.normal[2]) };
-    const int drop = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
-    const int x = (drop + 1) % 3;
-    const int y = (drop + 2) % 3;
-    bool inside = false;
-    const std::size_t corners = polygon.corners.size();
-    for (std::size_t i = 0; i < corners; ++i)
+    return;
+  }
+  std::call_once(this->finder_->once,
+    [&]
     {
-      const Vec3& a = polygon.corners[i];
-      const Vec3& b = polygon.corners[(i + 1) % corners];
-      if ((a[y] > point[y]) != (b[y] > point[y]) &&
-        point[x] < a[x] + (point[y] - a[y]) / (b[y] - a[y]) * (b[x] - a[x]))
+      std::vector<PolygonsAlongRay::Triangle> triangles;
+      for (const Triangle& triangle : this->triangles_)
       {
-        inside = !inside;
+        triangles.push_back({ triangle.polygon, triangle.corners });
       }
-    }
-    if (inside && polygon.radiance > 0.0)
-    {
-      to.push_back({ t, polygon.radiance });
-    }
-  }
-}
-
-double PolygonSource::shownSolidAngle(const Triangle& triangle, const Vec3& position) const
-{
-  if (PolygonSource::side(this->polygons_[triangle.polygon], position) == 0.0)
+      this->finder_->polygons.emplace(this->polygons_, triangles);
+    });
+  thread_local std::vector<std::size_t> candidates;
+  this->finder_->polygons->find(position, direction, candidates);
+  for (const std::size_t p : candidates)
   {
-    return 0.0;
+    PolygonSource::crossing(this->polygons_[p], position, direction, to);
   }
-  const std::vector<Vec3>& ways = seenFrom(position, triangle.corners);
-  return polygonSolidAngle(ways.data(), ways.size());
-}
-
-SourceSample PolygonSource::sample(const Vec3& position, double u, double v) const
-{
-  const std::size_t size = this->triangles_.size();
-  if (size == 0)
-  {
-    return {};
-  }
-  if (size > fewTriangles)
-  {
-    const double target = u * this->powerSums_.back();
-    const auto found = std::min<std::size_t>(size - 1,
-      static_cast<std::size_t>(
-        std::upper_bound(this->powerSums_.begin(), this->powerSums_.end(), target) -
-        this->powerSums_.begin()));
-    const double before = found == 0 ? 0.0 : this->powerSums_[found - 1];
-    const double own = this->powerSums_[found] - before;
-    return own > 0.0 ? this->sampleIn(this->triangles_[found], own / this->powerSums_.back(), 0.0,
-                         position, (target - before) / own, v)
-                     : SourceSample{};
-  }
-  std::array<double, fewTriangles> angles;
-  double all = 0.0;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    angles[i] = this->shownSolidAngle(this->triangles_[i], position);
-    all += angles[i] * this->polygons_[this->triangles_[i].polygon].radiance;
-  }
-  double rest = u * all;
-  for (std::size_t i = 0; i < size && all > 0.0; ++i)
-  {
-    const double own = angles[i] * this->polygons_[this->triangles_[i].polygon].radiance;
-    if (own > 0.0 && (rest < own || i + 1 == size))
-    {
-      return this->sampleIn(
-        this->triangles_[i], own / all, angles[i], position, std::min(1.0, rest / own), v);
-    }
-    rest -= own;
-  }
-  return {};
-}
-
-SourceSample PolygonSource::sampleIn(const Triangle& triangle, double chance, double solidAngle,
-  const Vec3& position, double u, double v) const
-{
-  // Outside of these the sphere's triangle has no digits left; pbrt-v4, section 6.5.4.
-  constexpr double smallest = 3e-4;
-  constexpr double largest = 6.22;
-  const EmittingPolygon& polygon = this->polygons_[triangle.polygon];
-  SourceSample result;
-  result.radiance = polygon.radiance;
-  const double height = dot(polygon.normal, triangle.corners[0] - position);
-  if (solidAngle > smallest && solidAngle < largest)
-  {
-    const Vec3 direction = sampleSphericalTriangle(position, triangle.corners, u, v);
-    const double t = height / dot(polygon.normal, direction);
-    if (t > 0.0 && std::isfinite(t))
-    {
-      result.sightline.direction = t * direction;
-      result.weight = solidAngle / chance;
-      return result;
-    }
-  }
-  const double root = std::sqrt(u);
-  result.sightline.direction = (1.0 - root) * (triangle.corners[0] - position) +
-    (root * (1.0 - v)) * (triangle.corners[1] - position) +
-    (root * v) * (triangle.corners[2] - position);
-  const double r = length(result.sightline.direction);
-  const double shown = PolygonSource::side(polygon, position) == 0.0 ? 0.0 : std::fabs(height) / r;
-  result.weight = shown > 0.0 ? shown * triangle.area / (r * r) / chance : 0.0;
-  return result;
 }
 
 } // namespace lumitree

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 
 namespace lumitree
 {
@@ -45,6 +46,8 @@ public:
   [[nodiscard]] std::optional<Box> bounds() const override { return this->bounds_; }
   [[nodiscard]] std::optional<double> radiance(
     const Vec3& position, const Vec3& direction) const override;
+
+  /// Of many polygons by a structure over their triangles, made at the first call.
   void crossings(
     const Vec3& position, const Vec3& direction, std::vector<SourceCrossing>& to) const override;
 
@@ -56,6 +59,11 @@ private:
     std::array<Vec3, 3> corners;
     double area;
   };
+
+  struct Finder;
+
+  static void crossing(const EmittingPolygon& polygon, const Vec3& position, const Vec3& direction,
+    std::vector<SourceCrossing>& to);
 
   /// 1: the position sees the front, −1: the back of a two-sided polygon, 0: nothing.
   static double side(const EmittingPolygon& polygon, const Vec3& position);
@@ -69,6 +77,7 @@ private:
   Box bounds_;
   Vec3 middle_;
   double metresPerUnit_;
+  std::shared_ptr<Finder> finder_;
   double flux_ = 0.0;
 };
 

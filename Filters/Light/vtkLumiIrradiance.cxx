@@ -41,16 +41,6 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 /// Of the progress bar, for the structure.
 constexpr double buildShare = 0.2;
 
-int Rank(vtkLumiIrradiance* self)
-{
-  return self->GetController() ? self->GetController()->GetLocalProcessId() : 0;
-}
-
-int Ranks(vtkLumiIrradiance* self)
-{
-  return self->GetController() ? self->GetController()->GetNumberOfProcesses() : 1;
-}
-
 using Leaf = filters::LeafCopy;
 
 /// A number in the field data.
@@ -73,20 +63,20 @@ struct vtkLumiIrradiance::Internals
   bool Prepare(vtkLumiIrradiance* self, vtkInformationVector** inputs, int pieces,
     filters::Illumination& light)
   {
-    if (self->Shadows && OccludersAreReceivers(inputs) && pieces > Ranks(self))
+    if (self->Shadows && OccludersAreReceivers(inputs) && pieces > self->Ranks())
     {
       throw std::runtime_error("Receivers that come piece after piece cannot shadow each other. "
                                "Connect the whole scene to input port 1, the occluders.");
     }
     light.lights = filters::readLights(
-      inputs[2], filters::metresPerUnit(self->LengthUnit), self->GetController());
+      inputs[2], filters::metresPerUnit(self->GetLengthUnit()), self->GetController());
     light.location = static_cast<filters::ReceiverLocation>(self->ReceiverLocation);
     light.arrays = { self->PerLightArrays, self->TwoSided, self->ScalarIrradiance,
       self->LightVector, self->CylindricalIrradiance, self->HemisphericalIrradiance,
       self->EstimateArrays, self->ShadowMasks };
-    light.relativeTolerance = self->RelativeTolerance;
+    light.relativeTolerance = self->GetRelativeTolerance();
     light.absoluteTolerance = self->AbsoluteTolerance;
-    light.maximumRays = static_cast<std::uint32_t>(self->MaximumRays);
+    light.maximumRays = static_cast<std::uint32_t>(self->GetMaximumRays());
     light.threads = filters::threadsFor(self->GetNumberOfThreads());
     if (self->Shadows)
     {
@@ -180,13 +170,13 @@ struct vtkLumiIrradiance::Internals
       };
       filters::Job job(self, part(i), part(i + 1));
       const filters::IlluminationReport report = light.addTo(
-        leaves[i].data, leaves[i].compositeIndex, Rank(self), shadowsItself, job.control());
+        leaves[i].data, leaves[i].compositeIndex, self->Rank(), shadowsItself, job.control());
       if (!report.completed)
       {
         complete = false;
         break;
       }
-      filters::writeLengthUnit(leaves[i].data, self->LengthUnit);
+      filters::writeLengthUnit(leaves[i].data, self->GetLengthUnit());
       receivers += report.receivers;
       undefined += report.undefined;
       missed += report.missed;
@@ -201,9 +191,9 @@ struct vtkLumiIrradiance::Internals
     }
     if (missed > 0)
     {
-      vtkWarningWithObjectMacro(
-        self, << missed << " of " << receivers << " receivers did not reach the tolerance with "
-              << self->MaximumRays << " rays to a light. Allow more rays, or a larger tolerance.");
+      vtkWarningWithObjectMacro(self,
+        << missed << " of " << receivers << " receivers did not reach the tolerance with "
+        << self->GetMaximumRays() << " rays to a light. Allow more rays, or a larger tolerance.");
     }
     if (undefined > 0)
     {
@@ -221,7 +211,7 @@ vtkStandardNewMacro(vtkLumiIrradiance);
 vtkLumiIrradiance::vtkLumiIrradiance()
   : Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(3);
+  this->ReceiverLocation = Cells;
 }
 
 vtkLumiIrradiance::~vtkLumiIrradiance() = default;
@@ -229,7 +219,6 @@ vtkLumiIrradiance::~vtkLumiIrradiance() = default;
 void vtkLumiIrradiance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ReceiverLocation: " << this->ReceiverLocation << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "on" : "off") << "\n";
   os << indent << "PerLightArrays: " << (this->PerLightArrays ? "on" : "off") << "\n";
   os << indent << "TwoSided: " << (this->TwoSided ? "on" : "off") << "\n";
@@ -240,68 +229,7 @@ void vtkLumiIrradiance::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "EstimateArrays: " << (this->EstimateArrays ? "on" : "off") << "\n";
   os << indent << "ShadowMasks: " << (this->ShadowMasks ? "on" : "off") << "\n";
-  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
   os << indent << "AbsoluteTolerance: " << this->AbsoluteTolerance << "\n";
-  os << indent << "MaximumRays: " << this->MaximumRays << "\n";
-  os << indent << "LengthUnit: " << filters::lengthUnitName(this->LengthUnit) << "\n";
-}
-
-void vtkLumiIrradiance::SetOccludersConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-void vtkLumiIrradiance::SetOccludersData(vtkDataObject* occluders)
-{
-  this->SetInputDataObject(1, occluders);
-}
-
-void vtkLumiIrradiance::AddLightsConnection(vtkAlgorithmOutput* output)
-{
-  this->AddInputConnection(2, output);
-}
-
-void vtkLumiIrradiance::AddLightsData(vtkDataObject* lights)
-{
-  this->AddInputDataObject(2, lights);
-}
-
-void vtkLumiIrradiance::RemoveAllLights()
-{
-  this->RemoveAllInputConnections(2);
-}
-
-int vtkLumiIrradiance::FillInputPortInformation(int port, vtkInformation* info)
-{
-  // Composites are named, too: otherwise the pipeline would run this filter block by block, and one
-  // block would not shadow another.
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPolyData" : "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  // Lights are needed, but their absence is reported here, once, and not by the pipeline at each
-  // update.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 2 ? 1 : 0);
-  return 1;
-}
-
-int vtkLumiIrradiance::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return filters::makeOutputLike(
-    vtkDataObject::GetData(inputVector[0]), outputVector->GetInformationObject(0));
-}
-
-int vtkLumiIrradiance::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  for (const int port : { 1, 2 })
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      filters::requestPiece(inputVector[port]->GetInformationObject(i), Rank(this), Ranks(this));
-    }
-  }
-  return 1;
 }
 
 int vtkLumiIrradiance::RequestData(
@@ -320,7 +248,7 @@ int vtkLumiIrradiance::RequestData(
         filters::copyLeaves(vtkDataObject::GetData(inputVector[0]), output);
       complete =
         this->Impl->Illuminate(this, light, leaves, Internals::OccludersAreReceivers(inputVector));
-      filters::writeLengthUnit(output, this->LengthUnit);
+      filters::writeLengthUnit(output, this->GetLengthUnit());
       if (complete)
       {
         this->Impl->WriteNumbers(output);

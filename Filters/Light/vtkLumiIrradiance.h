@@ -51,65 +51,17 @@
 #define vtkLumiIrradiance_h
 
 #include "LumitreeFiltersLightModule.h" // for export macro
-#include "vtkLumiStructureAlgorithm.h"
+#include "vtkLumiIlluminationAlgorithm.h"
 
 #include <memory> // for the implementation
 
 VTK_ABI_NAMESPACE_BEGIN
-class LUMITREEFILTERSLIGHT_EXPORT vtkLumiIrradiance : public vtkLumiStructureAlgorithm
+class LUMITREEFILTERSLIGHT_EXPORT vtkLumiIrradiance : public vtkLumiIlluminationAlgorithm
 {
 public:
   static vtkLumiIrradiance* New();
-  vtkTypeMacro(vtkLumiIrradiance, vtkLumiStructureAlgorithm);
+  vtkTypeMacro(vtkLumiIrradiance, vtkLumiIlluminationAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Where light is received.
-   */
-  enum ReceiverLocations
-  {
-    Points = 0,
-    Cells = 1
-  };
-
-  /**
-   * What one unit of the coordinates is.
-   */
-  enum LengthUnits
-  {
-    Metre = 0,
-    Millimetre = 1,
-    Centimetre = 2,
-    Kilometre = 3,
-    Inch = 4,
-    Foot = 5
-  };
-
-  ///@{
-  /**
-   * The occluders, input port 1.
-   */
-  void SetOccludersConnection(vtkAlgorithmOutput* output);
-  void SetOccludersData(vtkDataObject* occluders);
-  ///@}
-
-  ///@{
-  /**
-   * The lights, input port 2.
-   */
-  void AddLightsConnection(vtkAlgorithmOutput* output);
-  void AddLightsData(vtkDataObject* lights);
-  void RemoveAllLights();
-  ///@}
-
-  ///@{
-  /**
-   * Whether points or cells (at their parametric centres) receive, one of ReceiverLocations.
-   * Default Cells.
-   */
-  vtkSetClampMacro(ReceiverLocation, int, Points, Cells);
-  vtkGetMacro(ReceiverLocation, int);
-  ///@}
 
   ///@{
   /**
@@ -200,43 +152,17 @@ public:
 
   ///@{
   /**
-   * How far a value may be off: half the interval of an estimate by rays stays below the larger of
-   * RelativeTolerance times the value (in deep shadow, times a twentieth of the light with nothing
-   * in the way) and AbsoluteTolerance [W/m^2 or lx]. What closed forms, clipping and skylines give
-   * is exact, whatever these say. Default 0.01 and 0; range 0 to 1, and 0 upwards.
+   * A value may be off by this [W/m^2 or lx] where that is more than RelativeTolerance allows.
+   * Default 0; range 0 upwards.
    */
-  vtkSetClampMacro(RelativeTolerance, double, 0.0, 1.0);
-  vtkGetMacro(RelativeTolerance, double);
   vtkSetClampMacro(AbsoluteTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AbsoluteTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Rays from a receiver to a light at most; receivers for which they do not do are counted in one
-   * warning. Range 64 to 2^24, default 16384.
-   */
-  vtkSetClampMacro(MaximumRays, int, 64, 16777216);
-  vtkGetMacro(MaximumRays, int);
-  ///@}
-
-  ///@{
-  /**
-   * What one unit of the coordinates of all inputs is, one of LengthUnits. Default Metre.
-   */
-  vtkSetClampMacro(LengthUnit, int, Metre, Foot);
-  vtkGetMacro(LengthUnit, int);
   ///@}
 
 protected:
   vtkLumiIrradiance();
   ~vtkLumiIrradiance() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -244,7 +170,6 @@ private:
   vtkLumiIrradiance(const vtkLumiIrradiance&) = delete;
   void operator=(const vtkLumiIrradiance&) = delete;
 
-  int ReceiverLocation = Cells;
   bool Shadows = true;
   bool PerLightArrays = false;
   bool TwoSided = false;
@@ -254,10 +179,7 @@ private:
   bool HemisphericalIrradiance = false;
   bool EstimateArrays = false;
   bool ShadowMasks = false;
-  double RelativeTolerance = 0.01;
   double AbsoluteTolerance = 0.0;
-  int MaximumRays = 16384;
-  int LengthUnit = Metre;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -47,16 +47,6 @@ namespace
 /// Of the progress bar, for the structure.
 constexpr double buildShare = 0.2;
 
-int Rank(vtkLumiRadiance* self)
-{
-  return self->GetController() ? self->GetController()->GetLocalProcessId() : 0;
-}
-
-int Ranks(vtkLumiRadiance* self)
-{
-  return self->GetController() ? self->GetController()->GetNumberOfProcesses() : 1;
-}
-
 } // namespace
 
 struct vtkLumiRadiance::Internals
@@ -72,15 +62,15 @@ struct vtkLumiRadiance::Internals
   bool Prepare(vtkLumiRadiance* self, vtkInformationVector** inputs)
   {
     this->Lights = filters::readLights(
-      inputs[2], filters::metresPerUnit(self->LengthUnit), self->GetController());
+      inputs[2], filters::metresPerUnit(self->GetLengthUnit()), self->GetController());
     this->Sources = this->Lights.sources();
     this->Tree = nullptr;
     this->Reflectances.clear();
     lumitree::EstimateOptions& estimate = this->Options.estimate;
     estimate.occluders = nullptr;
     estimate.threads = filters::threadsFor(self->GetNumberOfThreads());
-    estimate.relativeTolerance = self->RelativeTolerance;
-    estimate.maximumRays = static_cast<std::uint32_t>(self->MaximumRays);
+    estimate.relativeTolerance = self->GetRelativeTolerance();
+    estimate.maximumRays = static_cast<std::uint32_t>(self->GetMaximumRays());
     this->Options.reflectance = self->Reflection ? self->Reflectance : 0.0;
     this->Options.reflectances = nullptr;
     if (inputs[1]->GetNumberOfInformationObjects() == 0)
@@ -142,7 +132,7 @@ struct vtkLumiRadiance::Internals
     this->Options.estimate.control = job.control();
     const lumitree::RadianceReport report =
       lumitree::directRadiance(rays.batch, this->Sources, values, this->Options);
-    filters::writeLengthUnit(output, self->LengthUnit);
+    filters::writeLengthUnit(output, self->GetLengthUnit());
     Warn(self, report, rays.batch.size);
     return report.completed;
   }
@@ -181,7 +171,7 @@ struct vtkLumiRadiance::Internals
       const lumitree::RadianceReport report = lumitree::radianceAround(places, grid.directions,
         this->Sources, this->AddArray(to, read.size(), grid.directions.size()), this->Options);
       AddGrid(data, grid);
-      filters::writeLengthUnit(data, self->LengthUnit);
+      filters::writeLengthUnit(data, self->GetLengthUnit());
       all.invalidRays += report.invalidRays;
       all.missedTolerance += report.missedTolerance;
       rays += read.size() * grid.directions.size();
@@ -191,7 +181,7 @@ struct vtkLumiRadiance::Internals
       }
     }
     AddGrid(output, grid);
-    filters::writeLengthUnit(output, self->LengthUnit);
+    filters::writeLengthUnit(output, self->GetLengthUnit());
     Warn(self, all, rays);
     return true;
   }
@@ -225,7 +215,7 @@ struct vtkLumiRadiance::Internals
     {
       vtkWarningWithObjectMacro(
         self, << "What " << report.missedTolerance << " of " << rays
-              << " rays meet did not reach the tolerance with " << self->MaximumRays
+              << " rays meet did not reach the tolerance with " << self->GetMaximumRays()
               << " rays to a light. Allow more rays, or a larger tolerance.");
     }
   }
@@ -237,7 +227,6 @@ vtkLumiRadiance::vtkLumiRadiance()
   : TMax(std::numeric_limits<double>::infinity())
   , Impl(new Internals)
 {
-  this->SetNumberOfInputPorts(3);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "RayDirection");
 }
 
@@ -251,76 +240,12 @@ void vtkLumiRadiance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Look: " << (this->Look == AlongRays ? "AlongRays" : "ByDirection") << "\n";
   os << indent << "TMin: " << this->TMin << "\n";
   os << indent << "TMax: " << this->TMax << "\n";
-  os << indent << "ReceiverLocation: " << this->ReceiverLocation << "\n";
   os << indent << "Rings: " << this->Rings << "\n";
   os << indent << "Sectors: " << this->Sectors << "\n";
   triple("Axis", this->Axis);
   triple("Reference", this->Reference);
   os << indent << "Reflection: " << (this->Reflection ? "on" : "off") << "\n";
   os << indent << "Reflectance: " << this->Reflectance << "\n";
-  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
-  os << indent << "MaximumRays: " << this->MaximumRays << "\n";
-  os << indent << "LengthUnit: " << filters::lengthUnitName(this->LengthUnit) << "\n";
-}
-
-void vtkLumiRadiance::SetOccludersConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-void vtkLumiRadiance::SetOccludersData(vtkDataObject* occluders)
-{
-  this->SetInputDataObject(1, occluders);
-}
-
-void vtkLumiRadiance::AddLightsConnection(vtkAlgorithmOutput* output)
-{
-  this->AddInputConnection(2, output);
-}
-
-void vtkLumiRadiance::AddLightsData(vtkDataObject* lights)
-{
-  this->AddInputDataObject(2, lights);
-}
-
-void vtkLumiRadiance::RemoveAllLights()
-{
-  this->RemoveAllInputConnections(2);
-}
-
-int vtkLumiRadiance::FillInputPortInformation(int port, vtkInformation* info)
-{
-  filters::acceptAnyDataSet(info);
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  }
-  // Lights are needed, but their absence is reported here, once, and not by the pipeline at each
-  // update.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 2 ? 1 : 0);
-  return 1;
-}
-
-int vtkLumiRadiance::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return filters::makeOutputLike(
-    vtkDataObject::GetData(inputVector[0]), outputVector->GetInformationObject(0));
-}
-
-int vtkLumiRadiance::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  for (const int port : { 1, 2 })
-  {
-    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      filters::requestPiece(inputVector[port]->GetInformationObject(i), Rank(this), Ranks(this));
-    }
-  }
-  return 1;
 }
 
 int vtkLumiRadiance::RequestData(

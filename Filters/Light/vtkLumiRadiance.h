@@ -37,16 +37,16 @@
 #define vtkLumiRadiance_h
 
 #include "LumitreeFiltersLightModule.h" // for export macro
-#include "vtkLumiStructureAlgorithm.h"
+#include "vtkLumiIlluminationAlgorithm.h"
 
 #include <memory> // for the implementation
 
 VTK_ABI_NAMESPACE_BEGIN
-class LUMITREEFILTERSLIGHT_EXPORT vtkLumiRadiance : public vtkLumiStructureAlgorithm
+class LUMITREEFILTERSLIGHT_EXPORT vtkLumiRadiance : public vtkLumiIlluminationAlgorithm
 {
 public:
   static vtkLumiRadiance* New();
-  vtkTypeMacro(vtkLumiRadiance, vtkLumiStructureAlgorithm);
+  vtkTypeMacro(vtkLumiRadiance, vtkLumiIlluminationAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -57,45 +57,6 @@ public:
     AlongRays = 0,
     ByDirection = 1
   };
-
-  /**
-   * From where it is looked by direction.
-   */
-  enum ReceiverLocations
-  {
-    Points = 0,
-    Cells = 1
-  };
-
-  /**
-   * What one unit of the coordinates is.
-   */
-  enum LengthUnits
-  {
-    Metre = 0,
-    Millimetre = 1,
-    Centimetre = 2,
-    Kilometre = 3,
-    Inch = 4,
-    Foot = 5
-  };
-
-  ///@{
-  /**
-   * What is in the way, input port 1.
-   */
-  void SetOccludersConnection(vtkAlgorithmOutput* output);
-  void SetOccludersData(vtkDataObject* occluders);
-  ///@}
-
-  ///@{
-  /**
-   * The lights, input port 2.
-   */
-  void AddLightsConnection(vtkAlgorithmOutput* output);
-  void AddLightsData(vtkDataObject* lights);
-  void RemoveAllLights();
-  ///@}
 
   ///@{
   /**
@@ -116,15 +77,6 @@ public:
   vtkGetMacro(TMin, double);
   vtkSetMacro(TMax, double);
   vtkGetMacro(TMax, double);
-  ///@}
-
-  ///@{
-  /**
-   * ByDirection: whether from points or from cells (their centres), one of ReceiverLocations.
-   * Default Points.
-   */
-  vtkSetClampMacro(ReceiverLocation, int, Points, Cells);
-  vtkGetMacro(ReceiverLocation, int);
   ///@}
 
   ///@{
@@ -161,35 +113,10 @@ public:
   vtkGetMacro(Reflectance, double);
   ///@}
 
-  ///@{
-  /**
-   * Of reflected light, as of vtkLumiIrradiance: how far the irradiance of the surface may be off,
-   * relative to it (range 0 to 1, default 0.01), and rays to a light at most (range 64 to 2^24,
-   * default 16384). Light that is seen directly is exact.
-   */
-  vtkSetClampMacro(RelativeTolerance, double, 0.0, 1.0);
-  vtkGetMacro(RelativeTolerance, double);
-  vtkSetClampMacro(MaximumRays, int, 64, 16777216);
-  vtkGetMacro(MaximumRays, int);
-  ///@}
-
-  ///@{
-  /**
-   * What one unit of the coordinates of all inputs is, one of LengthUnits. Default Metre.
-   */
-  vtkSetClampMacro(LengthUnit, int, Metre, Foot);
-  vtkGetMacro(LengthUnit, int);
-  ///@}
-
 protected:
   vtkLumiRadiance();
   ~vtkLumiRadiance() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -200,16 +127,12 @@ private:
   int Look = AlongRays;
   double TMin = 0.0;
   double TMax;
-  int ReceiverLocation = Points;
   int Rings = 12;
   int Sectors = 24;
   double Axis[3] = { 0.0, 0.0, 1.0 };
   double Reference[3] = { 1.0, 0.0, 0.0 };
   bool Reflection = false;
   double Reflectance = 0.5;
-  double RelativeTolerance = 0.01;
-  int MaximumRays = 16384;
-  int LengthUnit = Metre;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -4,6 +4,7 @@
 
 #include "LumiCache.h"
 #include "LumiGather.h"
+#include "LumiIntensityField.h"
 #include "LumiJob.h"
 #include "LumiLightReader.h"
 #include "LumiPhotometricText.h"
@@ -11,25 +12,18 @@
 #include "LumiSettings.h"
 #include "LumiUnits.h"
 
-#include "Radiometry/Checks.h"
 #include "Radiometry/Constants.h"
 #include "Radiometry/EmitterIntensity.h"
-#include "Radiometry/PhotometricWeb.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -53,14 +47,6 @@ Vec3 ToVec3(const double* from)
   return { from[0], from[1], from[2] };
 }
 
-void AddNumber(vtkDataObject* object, const std::string& name, double value)
-{
-  const vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(value);
-  object->GetFieldData()->AddArray(array);
-}
-
 } // namespace
 
 struct vtkLumiRadiantIntensity::Internals
@@ -69,50 +55,18 @@ struct vtkLumiRadiantIntensity::Internals
   std::shared_ptr<const filters::Tree> Surface;
   std::shared_ptr<const filters::Tree> Occluders;
 
-  lumitree::PhotometricWeb Web; ///< planes 0 … 360 degrees, both ends the same
-  std::vector<Vec3> Directions; ///< as its intensities
-  lumitree::LightSystem System = lumitree::LightSystem::Radiometric;
-  double EmittedFlux = 0.0;
-  double FarField = 0.0; ///< 0: not known
-
-  void SetDirections(vtkLumiRadiantIntensity* self)
-  {
-    const Vec3 axis = lumitree::checks::unit(ToVec3(self->Axis), "Axis");
-    const Vec3 given = lumitree::checks::unit(ToVec3(self->Reference), "Reference");
-    const Vec3 across = given - lumitree::dot(given, axis) * axis;
-    if (!(lumitree::length(across) > 1e-9))
-    {
-      throw std::runtime_error("Axis and Reference are parallel.");
-    }
-    const Vec3 x = lumitree::checks::unit(across, "Reference");
-    const Vec3 y = lumitree::cross(-1.0 * axis, x);
-    this->Web = {};
-    this->Directions.clear();
-    for (int c = 0; c <= self->Planes; ++c)
-    {
-      this->Web.horizontals.push_back(360.0 * c / self->Planes);
-      const double turn = 2.0 * lumitree::pi * (c % self->Planes) / self->Planes;
-      for (int g = 0; g <= self->Steps; ++g)
-      {
-        const double gamma = lumitree::pi * g / self->Steps;
-        this->Directions.push_back(std::cos(gamma) * axis + (std::sin(gamma) * std::cos(turn)) * x +
-          (std::sin(gamma) * std::sin(turn)) * y);
-      }
-    }
-    for (int g = 0; g <= self->Steps; ++g)
-    {
-      this->Web.verticals.push_back(180.0 * g / self->Steps);
-    }
-  }
+  filters::IntensityField Field;
 
   void OfLight(vtkLumiRadiantIntensity* self, vtkPolyData* data)
   {
-    const filters::Light light = filters::readLight(data, filters::metresPerUnit(self->LengthUnit));
-    this->System = light.system;
-    this->EmittedFlux = light.source->flux().value_or(std::numeric_limits<double>::quiet_NaN());
-    this->FarField = 0.0;
-    this->Web.name = light.name;
-    for (const Vec3& direction : this->Directions)
+    const filters::Light light =
+      filters::readLight(data, filters::metresPerUnit(self->GetLengthUnit()));
+    this->Field.system = light.system;
+    this->Field.emittedFlux =
+      light.source->flux().value_or(std::numeric_limits<double>::quiet_NaN());
+    this->Field.farField = 0.0;
+    this->Field.web.name = light.name;
+    for (const Vec3& direction : this->Field.directions)
     {
       const auto intensity = light.source->intensity(direction);
       if (!intensity)
@@ -120,7 +74,7 @@ struct vtkLumiRadiantIntensity::Internals
         throw std::runtime_error(
           "The light \"" + light.name + "\" has no intensity: it is infinitely far.");
       }
-      this->Web.intensities.push_back(*intensity);
+      this->Field.web.intensities.push_back(*intensity);
     }
   }
 
@@ -138,11 +92,11 @@ struct vtkLumiRadiantIntensity::Internals
     emitter.precision = filters::precisionOf(self->GetPrecision(), emitter.occluders);
     emitter.radiance = 1.0;
     emitter.twoSided = self->TwoSided;
-    emitter.metresPerUnit = filters::metresPerUnit(self->LengthUnit);
+    emitter.metresPerUnit = filters::metresPerUnit(self->GetLengthUnit());
     emitter.threads = filters::threadsFor(self->GetNumberOfThreads());
     emitter.control = job.control();
     const lumitree::EmitterReport report =
-      lumitree::emitterIntensity(emitter, this->Directions, this->Web.intensities);
+      lumitree::emitterIntensity(emitter, this->Field.directions, this->Field.web.intensities);
     if (!(report.flux > 0.0))
     {
       throw std::runtime_error("There is no surface that could shine on input port 0.");
@@ -150,96 +104,14 @@ struct vtkLumiRadiantIntensity::Internals
     const double radiance = self->Emission == TotalFlux ? self->Value / report.flux
       : self->Emission == Exitance                      ? self->Value / lumitree::pi
                                                         : self->Value;
-    for (double& intensity : this->Web.intensities)
+    for (double& intensity : this->Field.web.intensities)
     {
       intensity *= radiance;
     }
-    this->System = static_cast<lumitree::LightSystem>(self->System);
-    this->EmittedFlux = report.flux * radiance;
-    this->FarField = 5.0 * report.extent;
+    this->Field.system = static_cast<lumitree::LightSystem>(self->System);
+    this->Field.emittedFlux = report.flux * radiance;
+    this->Field.farField = 5.0 * report.extent;
     return report.completed;
-  }
-
-  void AddNumbers(vtkDataObject* object) const
-  {
-    const std::string unit(lumitree::describe(lumitree::Quantity::Flux, this->System).unit);
-    AddNumber(object, "EmittedFlux [" + unit + "]", this->EmittedFlux);
-    AddNumber(object, "IntegratedFlux [" + unit + "]", this->Web.flux());
-    if (this->FarField > 0.0)
-    {
-      AddNumber(object, "FarFieldDistance", this->FarField);
-    }
-  }
-
-  void FillSolid(vtkLumiRadiantIntensity* self, vtkPolyData* solid) const
-  {
-    const vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    const vtkNew<vtkDoubleArray> values;
-    const vtkNew<vtkDoubleArray> planes;
-    const vtkNew<vtkDoubleArray> gammas;
-    const auto quantity = lumitree::describe(lumitree::Quantity::Intensity, this->System);
-    filters::setUnit(
-      values, std::string(quantity.name).c_str(), std::string(quantity.unit).c_str());
-    planes->SetName("C");
-    gammas->SetName("Gamma");
-    double greatest = 0.0;
-    for (const double intensity : this->Web.intensities)
-    {
-      greatest = std::max(greatest, intensity);
-    }
-    const Vec3 centre = ToVec3(self->Centre);
-    const auto rows = this->Web.verticals.size();
-    for (std::size_t i = 0; i < this->Directions.size(); ++i)
-    {
-      const double intensity = this->Web.intensities[i];
-      const double share = greatest > 0.0 ? intensity / greatest : 0.0;
-      const Vec3 p = centre + (self->Radius * share) * this->Directions[i];
-      points->InsertNextPoint(p.data());
-      values->InsertNextValue(intensity);
-      planes->InsertNextValue(this->Web.horizontals[i / rows]);
-      gammas->InsertNextValue(this->Web.verticals[i % rows]);
-    }
-    const vtkNew<vtkCellArray> cells;
-    const auto last = static_cast<vtkIdType>(rows) - 1;
-    for (vtkIdType c = 0; c < self->Planes; ++c)
-    {
-      for (vtkIdType g = 0; g < last; ++g)
-      {
-        const vtkIdType a = c * (last + 1) + g;
-        const vtkIdType b = a + last + 1;
-        cells->InsertNextCell({ a, b, b + 1, a + 1 });
-      }
-    }
-    solid->SetPoints(points);
-    solid->SetPolys(cells);
-    solid->GetPointData()->SetScalars(values);
-    solid->GetPointData()->AddArray(planes);
-    solid->GetPointData()->AddArray(gammas);
-  }
-
-  void FillTable(vtkLumiRadiantIntensity* self, vtkTable* table) const
-  {
-    const vtkNew<vtkDoubleArray> gammas;
-    gammas->SetName("Gamma");
-    for (const double gamma : this->Web.verticals)
-    {
-      gammas->InsertNextValue(gamma);
-    }
-    table->AddColumn(gammas);
-    const auto rows = this->Web.verticals.size();
-    for (int c = 0; c < self->Planes; ++c)
-    {
-      const vtkNew<vtkDoubleArray> column;
-      char name[32];
-      std::snprintf(name, sizeof name, "C %g", this->Web.horizontals[c]);
-      column->SetName(name);
-      for (std::size_t g = 0; g < rows; ++g)
-      {
-        column->InsertNextValue(this->Web.intensities[c * rows + g]);
-      }
-      table->AddColumn(column);
-    }
   }
 };
 
@@ -269,17 +141,6 @@ void vtkLumiRadiantIntensity::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   triple("Centre", this->Centre);
-  os << indent << "LengthUnit: " << filters::lengthUnitName(this->LengthUnit) << "\n";
-}
-
-void vtkLumiRadiantIntensity::SetOccludersConnection(vtkAlgorithmOutput* output)
-{
-  this->SetInputConnection(1, output);
-}
-
-void vtkLumiRadiantIntensity::SetOccludersData(vtkDataObject* occluders)
-{
-  this->SetInputDataObject(1, occluders);
 }
 
 int vtkLumiRadiantIntensity::FillInputPortInformation(int port, vtkInformation* info)
@@ -328,10 +189,11 @@ int vtkLumiRadiantIntensity::RequestData(
   Internals& impl = *this->Impl;
   vtkPolyData* solid = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  impl.Web = {};
+  impl.Field.web = {};
   try
   {
-    impl.SetDirections(this);
+    impl.Field.setDirections(
+      ToVec3(this->Axis), ToVec3(this->Reference), this->Planes, this->Steps);
     vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
     auto* light = vtkPolyData::SafeDownCast(input);
     if (light && light->GetFieldData()->GetAbstractArray("LightType"))
@@ -352,7 +214,7 @@ int vtkLumiRadiantIntensity::RequestData(
       impl.Occluders = others && impl.Surface ? tree(1, impl.Occluders) : nullptr;
       if (!impl.Surface || (others && !impl.Occluders) || !impl.OfSurface(this))
       {
-        impl.Web = {};
+        impl.Field.web = {};
         return 1; // reported, or stopped
       }
     }
@@ -360,15 +222,15 @@ int vtkLumiRadiantIntensity::RequestData(
     vtkMultiProcessController* controller = this->GetController();
     if (!filters::isDistributed(controller) || controller->GetLocalProcessId() == 0)
     {
-      impl.FillSolid(this, solid);
-      impl.FillTable(this, table);
-      impl.AddNumbers(solid);
-      impl.AddNumbers(table);
+      impl.Field.fillSolid(ToVec3(this->Centre), this->Radius, solid);
+      impl.Field.fillTable(table);
+      impl.Field.addNumbers(solid);
+      impl.Field.addNumbers(table);
     }
   }
   catch (const std::exception& problem)
   {
-    impl.Web = {};
+    impl.Field.web = {};
     solid->Initialize();
     table->Initialize();
     vtkErrorMacro(<< problem.what());
@@ -382,11 +244,11 @@ bool vtkLumiRadiantIntensity::WritePhotometricFile(const char* fileName)
   const std::string name = fileName ? fileName : "";
   try
   {
-    if (this->Impl->Web.intensities.empty())
+    if (this->Impl->Field.web.intensities.empty())
     {
       throw std::runtime_error("There is no table to write.");
     }
-    filters::writePhotometricFile(this->Impl->Web, name);
+    filters::writePhotometricFile(this->Impl->Field.web, name);
   }
   catch (const std::exception& problem)
   {

@@ -30,16 +30,16 @@
 #define vtkLumiRadiantIntensity_h
 
 #include "LumitreeFiltersLightModule.h" // for export macro
-#include "vtkLumiStructureAlgorithm.h"
+#include "vtkLumiLightAlgorithm.h"
 
 #include <memory> // for the implementation
 
 VTK_ABI_NAMESPACE_BEGIN
-class LUMITREEFILTERSLIGHT_EXPORT vtkLumiRadiantIntensity : public vtkLumiStructureAlgorithm
+class LUMITREEFILTERSLIGHT_EXPORT vtkLumiRadiantIntensity : public vtkLumiLightAlgorithm
 {
 public:
   static vtkLumiRadiantIntensity* New();
-  vtkTypeMacro(vtkLumiRadiantIntensity, vtkLumiStructureAlgorithm);
+  vtkTypeMacro(vtkLumiRadiantIntensity, vtkLumiLightAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -60,27 +60,6 @@ public:
     Radiometric = 0,
     Photometric = 1
   };
-
-  /**
-   * What one unit of the coordinates is.
-   */
-  enum LengthUnits
-  {
-    Metre = 0,
-    Millimetre = 1,
-    Centimetre = 2,
-    Kilometre = 3,
-    Inch = 4,
-    Foot = 5
-  };
-
-  ///@{
-  /**
-   * What hides the surface, input port 1. It should hold the surface itself.
-   */
-  void SetOccludersConnection(vtkAlgorithmOutput* output);
-  void SetOccludersData(vtkDataObject* occluders);
-  ///@}
 
   ///@{
   /**
@@ -132,15 +111,6 @@ public:
   vtkGetVector3Macro(Centre, double);
   ///@}
 
-  ///@{
-  /**
-   * What one unit of the coordinates is: 0 metre, 1 millimetre, 2 centimetre, 3 kilometre, 4 inch,
-   * 5 foot. Default 0.
-   */
-  vtkSetClampMacro(LengthUnit, int, Metre, Foot);
-  vtkGetMacro(LengthUnit, int);
-  ///@}
-
   /**
    * The table, after an update, as a photometric file: EULUMDAT where the name ends in `.ldt`, else
    * IES LM-63. Intensities are written as candela. False after one error when there is no table or
@@ -175,7 +145,6 @@ private:
   int Steps = 36;
   double Radius = 1.0;
   double Centre[3] = { 0.0, 0.0, 0.0 };
-  int LengthUnit = Metre;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -46,6 +46,8 @@ examples:
       sunlight of 800 W/m^2 that travels in the direction (0.3, 0.2, -1), at the points of a roof
   python3 -m lumitree scene:teapot_in_stadium --structure bvh --precision watertight
       a built-in scene, under a binary hierarchy, with no ray slipping between triangles
+  python3 -m lumitree scene:cornell_box --radiance --reflectance 0.7
+      also what the camera sees of a lit room: radiance.vti and a picture
 
 Open hierarchy.vtm, cost.vti, hits.vtp and irradiance.vtp in ParaView; pictures lie beside them.
 """
@@ -92,6 +94,20 @@ def make_parser() -> argparse.ArgumentParser:
         metavar="PART",
         help="how far irradiance that rays estimate may be off, relative to it, 0 to 1; what has a "
         "closed form is exact; default: %(default)s",
+    )
+    light.add_argument(
+        "--radiance",
+        action="store_true",
+        help="also give the radiance (or luminance) that the camera sees, of lights and of the "
+        "surface, which reflects --reflectance of the light that falls on it directly",
+    )
+    light.add_argument(
+        "--reflectance",
+        type=float,
+        default=0.5,
+        metavar="PART",
+        help="of --radiance, 0 to 1, where the surface has no cell array Reflectance; "
+        "default: %(default)s",
     )
     light.add_argument(
         "--length-unit",
@@ -231,6 +247,11 @@ def _run(options: argparse.Namespace) -> None:
         print("points     ", report.sides(points))
     lights = lights or [parse_light(stage.light or sun)]
     print("light      ", report.light(lights, options.at, options.length_unit, options.tolerance))
+    if options.radiance:
+        line = report.radiance(
+            lights, size, options.reflectance, options.length_unit, options.tolerance
+        )
+        print("radiance   ", line)
     written = sorted(file.name for file in options.out.iterdir())
     print(f"written     {options.out}/: {', '.join(written)}")
 

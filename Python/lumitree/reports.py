@@ -21,6 +21,7 @@ from .camera import View, camera_rays
 from .comparison import compare_structures
 from .errors import run
 from .files import write
+from .looking import radiance
 from .progress import progress_bar
 from .radiometry import irradiance
 from .raycast import Caster, inside
@@ -193,6 +194,41 @@ class Report:
             flux = received(result.dataset, result.name) * metres**2
             line += f"; {flux:.6g} {'lm' if result.unit == 'lx' else 'W'} received in all"
         return line
+
+    def radiance(
+        self,
+        lights: Sequence[vtkDataObject],
+        size: tuple[int, int],
+        reflectance: float = 0.5,
+        length_unit: str = "m",
+        tolerance: float = 0.01,
+    ) -> str:
+        """Writes radiance.vti, what a camera of that many pixels sees, and radiance.png. Returns a
+        line about it."""
+        with progress_bar("radiance") as progress:
+            result = radiance(
+                self._camera(size),
+                lights=lights,
+                occluders=self.surface,
+                reflectance=reflectance,
+                length_unit=length_unit,
+                tolerance=tolerance,
+                precision=self.precision,
+                **self._tree_options,
+                progress=progress,
+            )
+        write(result.dataset, self.directory / "radiance.vti")
+        quantity = result.name.split()[0]
+        if self.pictures:
+            from .pictures import image_picture
+
+            title = f"{quantity}\n[{result.unit}]"
+            image_picture(self.directory / "radiance.png", result.dataset, result.name, title)
+        finite = result.values[np.isfinite(result.values)]
+        return (
+            f"{quantity}: {len(result.values):,} pixels, {np.count_nonzero(finite):,} of them lit, "
+            f"up to {finite.max(initial=0.0):.4g} {result.unit}"
+        )
 
 
 def outer_surface(data: vtkDataObject) -> vtkPolyData:

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Run on three ranks: occluders and lights of one rank count on all of them, receivers stay where
-// they are.
+// Run on three ranks: occluders and lights of one rank count on all of them, receivers and rays
+// stay where they are.
 #include "IrradianceFixtures.h"
 
 #include "vtkLumiPointLight.h"
+#include "vtkLumiRadiance.h"
+#include "vtkLumiShapeLight.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -13,8 +15,12 @@
 #include "vtkMPIController.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
 
 namespace lumitree::testing
 {
@@ -151,6 +157,75 @@ TEST(IrradianceRanks, SomethingThatIsNoLightIsAnErrorEverywhere)
   filter->SetController(world);
   filter.run();
   EXPECT_EQ(filter.errors, 1) << filter.text;
+}
+
+/// Radiance of the directions around this rank's part of the floor, which reflects no light.
+std::vector<double> radianceOfFloor(vtkMultiProcessController* controller, vtkPolyData* occluders,
+  const std::vector<vtkSmartPointer<vtkPolyData>>& lights, int look, int threads)
+{
+  const vtkNew<vtkLumiRadiance> filter;
+  vtkSmartPointer<vtkPolyData> places = floorStrip(-4.0 + 1.6 * rank(), 0.1, 16);
+  if (look == vtkLumiRadiance::AlongRays)
+  {
+    const vtkNew<vtkDoubleArray> directions;
+    directions->SetName("RayDirection");
+    directions->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
+    {
+      directions->InsertNextTuple3(
+        1.0, 0.1 * static_cast<double>(i % 3), 0.02 * static_cast<double>(i));
+    }
+    places->GetPointData()->AddArray(directions);
+  }
+  filter->SetController(controller);
+  filter->SetLook(look);
+  filter->ReflectionOn();
+  filter->SetNumberOfThreads(threads);
+  filter->SetInputDataObject(0, places);
+  filter->SetOccludersData(occluders);
+  for (const auto& light : lights)
+  {
+    filter->AddLightsData(light);
+  }
+  filter->Update();
+  vtkDataArray* seen =
+    vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetScalars();
+  std::vector<double> values;
+  for (vtkIdType i = 0; seen && i < seen->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < seen->GetNumberOfComponents(); ++c)
+    {
+      values.push_back(seen->GetComponent(i, c));
+    }
+  }
+  return values;
+}
+
+TEST(RadianceRanks, SurfaceAndLightsOfOneRankAndAnyNumberOfThreads)
+{
+  const vtkNew<vtkLumiShapeLight> panel;
+  panel->SetShape(vtkLumiShapeLight::Rectangle);
+  panel->SetOrigin(2, -1, 1);
+  panel->SetPoint1(2, 1, 1);
+  panel->SetPoint2(2, -1, 3);
+  panel->SetEmissionQuantity(vtkLumiShapeLight::Radiance);
+  panel->SetEmission(50.0);
+  panel->SetTwoSided(true);
+  panel->Update();
+  const auto nothing = vtkSmartPointer<vtkPolyData>::New();
+  const auto before = pointLight({ -6, 0, 3 }, 1000.0, "Before the wall");
+  for (const int look : { vtkLumiRadiance::AlongRays, vtkLumiRadiance::ByDirection })
+  {
+    const auto alone = radianceOfFloor(
+      nullptr, wall(), { panel->GetOutput(), lampOf(0), before, lampOf(2) }, look, 1);
+    const auto together = radianceOfFloor(world, rank() == 1 ? wall() : nothing,
+      { rank() == 0 ? panel->GetOutput() : nothing.Get(), rank() == 1 ? before : lampOf(rank()) },
+      look, 1 + rank());
+    ASSERT_FALSE(alone.empty());
+    ASSERT_EQ(alone.size(), together.size());
+    EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(double)), 0) << look;
+    EXPECT_GT(*std::max_element(alone.begin(), alone.end()), 0.0);
+  }
 }
 
 } // namespace

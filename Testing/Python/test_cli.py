@@ -5,6 +5,7 @@
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from meshes import floor, joined
 from vtkmodules.vtkFiltersSources import vtkLineSource
@@ -74,6 +75,17 @@ def test_a_built_in_scene(in_tmp):
     assert "scene:cornell_box: 6,800 cells" in done.stdout
     assert "; 100.0" in done.stdout  # W, of the lamp's 100
     assert "W received in all" in done.stdout
+
+
+def test_what_the_camera_sees(in_tmp, mesh):
+    small = (mesh, "--size", "16x12", "--no-pictures", "--radiance")
+    done = run(*small, "--reflectance", "0.25", "--light", "sun:0,0,-1:1000")
+    assert "Radiance: 192 pixels" in done.stdout
+    seen = lumitree.read(in_tmp / "lumitree-out" / "radiance.vti").GetPointData().GetScalars()
+    assert seen.GetName() == "Radiance [W/(m^2 sr)]"
+    assert seen.GetRange()[1] == pytest.approx(0.25 * 1000 / np.pi)
+    wrong = run(*small, "--reflectance=2", code=2)
+    assert "reflectance" in wrong.stderr
 
 
 def test_structures_side_by_side(in_tmp, mesh):

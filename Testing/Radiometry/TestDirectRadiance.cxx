@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace
 {
@@ -68,6 +69,50 @@ TEST(DirectRadiance, DoesNotChangeAlongARay)
   }
   EXPECT_EQ(along({ &light }, 2.1 * towards, towards), 0.0) << "behind the light";
   EXPECT_EQ(along({ &light }, { 0, 0, 0 }, -1.0 * towards), 0.0);
+}
+
+TEST(DirectRadiance, ManyPolygonsAreFoundAsFewAre)
+{
+  // A wavy sheet of quads, some of them not flat, each with a radiance of its own; rays also along
+  // its edges and through its corners.
+  constexpr int side = 12;
+  const auto at = [](int i, int j) -> Vec3
+  {
+    const double z = 3.0 + 0.2 * std::sin(1.3 * i) + 0.1 * (j % 3) + 0.01 * ((i * j) % 5);
+    return { i - 0.5 * side, j - 0.5 * side, z };
+  };
+  std::vector<EmittingPolygon> polygons;
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      polygons.push_back({ { at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j) }, {},
+        1.0 + i + 100.0 * j, (i + j) % 2 == 0 });
+    }
+  }
+  const PolygonSource all(polygons);
+  std::vector<std::unique_ptr<PolygonSource>> parts; // few at a time are looked at one by one
+  std::vector<const Source*> apart;
+  for (std::size_t first = 0; first < polygons.size(); first += 16)
+  {
+    parts.push_back(std::make_unique<PolygonSource>(
+      std::vector<EmittingPolygon>(&polygons[first], &polygons[first] + 16)));
+    apart.push_back(parts.back().get());
+  }
+  int seen = 0;
+  for (int ray = 0; ray < 4000; ++ray)
+  {
+    const Vec3 origin = { 0.1 * (ray % 7) - 0.3, 0.2 * (ray % 5) - 0.4, 0.02 * (ray % 400) };
+    const Vec3 target = ray % 3 == 0
+      ? at(ray % side, (ray / side) % side)
+      : Vec3{ 5.0 * std::sin(0.7 * ray), 5.0 * std::cos(1.1 * ray), 3.0 };
+    const Vec3 direction = (ray % 4 == 0 ? 1e-6 : 2.0) * (target - origin);
+    const double value = along({ &all }, origin, direction);
+    EXPECT_EQ(value, along(apart, origin, direction)) << ray;
+    seen += value > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(seen, 1500);
+  EXPECT_LT(seen, 4000);
 }
 
 TEST(DirectRadiance, LimitsOfARayHold)
