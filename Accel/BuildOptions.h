@@ -30,6 +30,11 @@ struct BuildOptions
   double gridDensity = 0.5;
   std::array<int, 3> gridResolution = { 0, 0,
     0 }; ///< grid: cells along x, y, z, each 1…2^20; all 0: automatic
+  /// Grid, octree, KD- and BSP-tree: rays remember the primitives they were tested against of late,
+  /// and leave out blocks that hold no others. Answers are the same, tests are fewer (by 1 … 50 %).
+  /// As four primitives are tested at once, it rarely pays: rays were a fifth quicker in a KD-tree
+  /// of the stadium, and 6 … 18 % slower on the torus.
+  bool mailboxing = false;
   bool embreeRobust =
     true; ///< Embree: its robust flag, which closes edges; it still leaks at vertices
   /// Auto: rays that will be cast at the structure over its life; 0: not known, ten per primitive
@@ -44,6 +49,7 @@ struct BuildOptions
     return a.structure == b.structure && a.bvhBuild == b.bvhBuild && a.kdBuild == b.kdBuild &&
       a.leafSize == b.leafSize && a.maxDepth == b.maxDepth && a.gridDensity == b.gridDensity &&
       a.gridResolution == b.gridResolution && a.embreeRobust == b.embreeRobust &&
+      a.mailboxing == b.mailboxing &&
       (a.structure != Structure::Auto || a.expectedRays == b.expectedRays);
   }
 };

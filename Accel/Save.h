@@ -36,7 +36,7 @@ public:
 };
 
 /// The version that is written. Only this one is read.
-inline constexpr std::uint32_t saveVersion = 1;
+inline constexpr std::uint32_t saveVersion = 2;
 
 /// SHA-1 over points, triangles, quadrics and implicits as they are stored, cut to 16 bytes. The map
 /// to cells is not part of it. Throws SaveError where an implicit's function has no numbers (those

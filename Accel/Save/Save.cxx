@@ -99,6 +99,7 @@ void putOptions(const BuildOptions& options, SaveWriter& writer)
   {
     writer.put(static_cast<std::int32_t>(cells));
   }
+  writer.put(static_cast<std::uint8_t>(options.mailboxing ? 1 : 0));
 }
 
 BuildOptions getOptions(SaveReader& reader)
@@ -116,6 +117,9 @@ BuildOptions getOptions(SaveReader& reader)
   {
     cells = reader.get<std::int32_t>();
   }
+  const auto mailboxing = reader.get<std::uint8_t>();
+  require(mailboxing <= 1, "it neither remembers nor does not");
+  options.mailboxing = mailboxing == 1;
   requireValid(options);
   return options;
 }

@@ -7,6 +7,7 @@
 #include "Accel/Structures/BspSave.h"
 #include "Accel/Structures/BspView.h"
 #include "Accel/Structures/BspWalk.h"
+#include "Accel/Structures/Mailbox.h"
 
 namespace lumitree
 {
@@ -20,12 +21,14 @@ public:
     BuildProgress& progress)
     : tree_(buildBspNodes(surface, options, blocks, progress))
   {
+    this->remember(options, blocks);
   }
 
-  BspTree(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
-    SaveReader& reader)
+  BspTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader& reader)
     : tree_(loadBspTree(surface, blocks, progress, reader))
   {
+    this->remember(options, blocks);
   }
 
   void save(
@@ -34,15 +37,15 @@ public:
     saveBspTree(surface, this->tree_, blocks, writer);
   }
 
-  [[nodiscard]] const void* walked() const { return &this->tree_; }
+  [[nodiscard]] const void* walked() const { return this; }
 
   static StructureWalks walks()
   {
     StructureWalks walks;
     walks.plain = [](const void* tree, RayState& state, LeafVisitor& visitor)
-    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box(), visitor); };
+    { static_cast<const BspTree*>(tree)->walk(state, visitor); };
     walks.counting = [](const void* tree, RayState& state, CountingVisitor& visitor)
-    { walkBspTree(*static_cast<const BspNodes*>(tree), state.ray, state.box(), visitor); };
+    { static_cast<const BspTree*>(tree)->walk(state, visitor); };
     return walks;
   }
 
@@ -53,11 +56,30 @@ public:
 
   [[nodiscard]] std::size_t memory() const
   {
-    return this->tree_.nodes.capacity() * sizeof(BspNode);
+    return this->tree_.nodes.capacity() * sizeof(BspNode) + this->mailbox_.memory();
   }
 
 private:
+  template <class Visitor>
+  void walk(RayState& state, Visitor& visitor) const
+  {
+    walkWithMailbox(this->mailbox_, visitor,
+      [&](auto& each) { walkBspTree(this->tree_, state.ray, state.box(), each); });
+  }
+
+  void remember(const BuildOptions& options, const LeafBlocks& blocks)
+  {
+    for (const BspNode& node : this->tree_.nodes)
+    {
+      if (options.mailboxing && node.leaf)
+      {
+        this->mailbox_.add(blocks, node.first, node.count);
+      }
+    }
+  }
+
   BspNodes tree_;
+  Mailbox mailbox_;
 };
 
 } // namespace

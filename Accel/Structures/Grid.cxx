@@ -5,6 +5,7 @@
 #include "Accel/Kernel/TreeAccelerator.h"
 #include "Accel/Structures/GridBuilder.h"
 #include "Accel/Structures/GridSweep.h"
+#include "Accel/Structures/Mailbox.h"
 
 namespace lumitree
 {
@@ -19,6 +20,10 @@ public:
     : cells_(buildGridCells(surface, options, progress))
   {
     std::visit([&](auto& store) { this->fill(surface, store, progress); }, blocks);
+    for (std::size_t i = 0; options.mailboxing && i < this->cells_.leaves.size(); ++i)
+    {
+      this->mailbox_.add(blocks, this->firstBlock_[i], this->cells_.leaves[i].count);
+    }
   }
 
   /// What is in which cell follows from the surface: cells are filled again.
@@ -51,6 +56,13 @@ public:
   template <class Visitor>
   void walk(const RayBox& ray, Visitor& visitor) const
   {
+    walkWithMailbox(this->mailbox_, visitor, [&](auto& each) { this->walkCells(ray, each); });
+  }
+
+private:
+  template <class Visitor>
+  void walkCells(const RayBox& ray, Visitor& visitor) const
+  {
     GridSweep sweep(this->cells_.lattice, ray);
     if (!sweep.start(visitor.tStop()))
     {
@@ -75,6 +87,7 @@ public:
     } while (sweep.advance(visitor.tStop(), leaf == GridCells::emptyBlock));
   }
 
+public:
   /// The grid, then its occupied cells.
   [[nodiscard]] HierarchyView view(const LeafBlocks&) const
   {
@@ -119,7 +132,7 @@ public:
     return this->cells_.leafOf.capacity() * sizeof(std::uint32_t) +
       this->cells_.leaves.capacity() * sizeof(GridCells::Leaf) +
       this->cells_.references.capacity() * sizeof(PrimitiveId) +
-      this->firstBlock_.capacity() * sizeof(std::uint32_t);
+      this->firstBlock_.capacity() * sizeof(std::uint32_t) + this->mailbox_.memory();
   }
 
 private:
@@ -187,6 +200,7 @@ private:
 
   GridCells cells_;
   std::vector<std::uint32_t> firstBlock_; ///< per leaf
+  Mailbox mailbox_;
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "Accel/Structures/KdTreeSave.h"
 #include "Accel/Structures/KdTreeView.h"
 #include "Accel/Structures/KdTreeWalk.h"
+#include "Accel/Structures/Mailbox.h"
 
 namespace lumitree
 {
@@ -20,12 +21,14 @@ public:
     BuildProgress& progress)
     : tree_(buildKdTreeNodes(surface, options, blocks, progress))
   {
+    this->remember(options, blocks);
   }
 
-  KdTree(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
-    SaveReader& reader)
+  KdTree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader& reader)
     : tree_(loadKdTree(surface, blocks, progress, reader))
   {
+    this->remember(options, blocks);
   }
 
   void save(
@@ -40,7 +43,8 @@ public:
   template <class Visitor>
   void walk(const RayBox& ray, Visitor& visitor) const
   {
-    walkKdTree(this->tree_, ray, visitor);
+    walkWithMailbox(
+      this->mailbox_, visitor, [&](auto& each) { walkKdTree(this->tree_, ray, each); });
   }
 
   [[nodiscard]] HierarchyView view(const LeafBlocks& blocks) const
@@ -48,10 +52,25 @@ public:
     return viewKdTree(this->tree_, blocks);
   }
 
-  [[nodiscard]] std::size_t memory() const { return this->tree_.nodes.capacity() * sizeof(KdNode); }
+  [[nodiscard]] std::size_t memory() const
+  {
+    return this->tree_.nodes.capacity() * sizeof(KdNode) + this->mailbox_.memory();
+  }
 
 private:
+  void remember(const BuildOptions& options, const LeafBlocks& blocks)
+  {
+    for (const KdNode& node : this->tree_.nodes)
+    {
+      if (options.mailboxing && node.isLeaf())
+      {
+        this->mailbox_.add(blocks, node.first, node.count);
+      }
+    }
+  }
+
   KdTreeNodes tree_;
+  Mailbox mailbox_;
 };
 
 } // namespace

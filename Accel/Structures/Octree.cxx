@@ -4,6 +4,7 @@
 
 #include "Accel/Kernel/RayBox.h"
 #include "Accel/Kernel/TreeAccelerator.h"
+#include "Accel/Structures/Mailbox.h"
 #include "Accel/Structures/OctreeSave.h"
 
 namespace lumitree
@@ -16,13 +17,13 @@ class Octree
 public:
   Octree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
     BuildProgress& progress)
-    : Octree(surface, buildOctreeNodes(surface, options, progress), blocks, progress)
+    : Octree(surface, options, buildOctreeNodes(surface, options, progress), blocks, progress)
   {
   }
 
-  Octree(const Surface& surface, const BuildOptions&, LeafBlocks& blocks, BuildProgress& progress,
-    SaveReader& reader)
-    : Octree(surface, loadOctree(surface, progress, reader), blocks, progress)
+  Octree(const Surface& surface, const BuildOptions& options, LeafBlocks& blocks,
+    BuildProgress& progress, SaveReader& reader)
+    : Octree(surface, options, loadOctree(surface, progress, reader), blocks, progress)
   {
   }
 
@@ -32,7 +33,8 @@ public:
   }
 
 private:
-  Octree(const Surface& surface, OctreeNodes&& octree, LeafBlocks& blocks, BuildProgress& progress)
+  Octree(const Surface& surface, const BuildOptions& options, OctreeNodes&& octree,
+    LeafBlocks& blocks, BuildProgress& progress)
     : octree_(std::move(octree))
     , firstBlock_(octree_.nodes.size())
   {
@@ -62,15 +64,29 @@ private:
           });
       },
       blocks);
+    for (std::size_t i = 0; options.mailboxing && i < nodes.size(); ++i)
+    {
+      if (nodes[i].leaf)
+      {
+        this->mailbox_.add(blocks, this->firstBlock_[i], nodes[i].count);
+      }
+    }
   }
 
 public:
   [[nodiscard]] const void* walked() const { return this; }
   static StructureWalks walks() { return baselineWalks<Octree>(); }
 
-  /// Nearest octant first; an octant is entered only if its box is met before the best hit so far.
   template <class Visitor>
   void walk(const RayBox& ray, Visitor& visitor) const
+  {
+    walkWithMailbox(this->mailbox_, visitor, [&](auto& each) { this->walkOctants(ray, each); });
+  }
+
+private:
+  /// Nearest octant first; an octant is entered only if its box is met before the best hit so far.
+  template <class Visitor>
+  void walkOctants(const RayBox& ray, Visitor& visitor) const
   {
     struct Entry
     {
@@ -118,6 +134,7 @@ public:
     }
   }
 
+public:
   [[nodiscard]] HierarchyView view(const LeafBlocks&) const
   {
     HierarchyView view;
@@ -145,7 +162,7 @@ public:
   {
     return this->octree_.nodes.capacity() * sizeof(OctreeNode) +
       this->octree_.references.capacity() * sizeof(PrimitiveId) +
-      this->firstBlock_.capacity() * sizeof(std::uint32_t);
+      this->firstBlock_.capacity() * sizeof(std::uint32_t) + this->mailbox_.memory();
   }
 
 private:
@@ -153,6 +170,7 @@ private:
 
   OctreeNodes octree_;
   std::vector<std::uint32_t> firstBlock_; ///< per node, for leaves
+  Mailbox mailbox_;
 };
 
 } // namespace

@@ -39,7 +39,7 @@ double step(double from, double to, int steps, int i)
 }
 
 /// What sets a row apart, in words.
-std::string parameters(const BuildOptions& options, const HierarchyView& view)
+std::string ownParameters(const BuildOptions& options, const HierarchyView& view)
 {
   switch (options.structure)
   {
@@ -58,6 +58,14 @@ std::string parameters(const BuildOptions& options, const HierarchyView& view)
     default:
       return {};
   }
+}
+
+std::string parameters(const BuildOptions& options, const HierarchyView& view)
+{
+  const bool remembers = options.mailboxing &&
+    (options.structure == Structure::Grid || options.structure == Structure::Octree ||
+      options.structure == Structure::KdTree || options.structure == Structure::BspTree);
+  return ownParameters(options, view) + (remembers ? ", mailboxing" : "");
 }
 
 double perRay(std::uint64_t value, const Trial& trial)

@@ -37,6 +37,7 @@ BuildOptions buildOptions(vtkLumiStructureAlgorithm* filter)
   options.maxDepth = filter->GetMaxDepth();
   options.gridDensity = filter->GetGridDensity();
   filter->GetGridResolution(options.gridResolution.data());
+  options.mailboxing = filter->GetMailboxing();
   return options;
 }
 

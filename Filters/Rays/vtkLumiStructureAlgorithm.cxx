@@ -35,6 +35,7 @@ void vtkLumiStructureAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GridDensity: " << this->GridDensity << "\n";
   os << indent << "GridResolution: " << this->GridResolution[0] << " " << this->GridResolution[1]
      << " " << this->GridResolution[2] << "\n";
+  os << indent << "Mailboxing: " << (this->Mailboxing ? "on" : "off") << "\n";
   os << indent << "Refit: " << (this->Refit ? "on" : "off") << "\n";
   os << indent << "RefitLimit: " << this->RefitLimit << "\n";
   os << indent << "StructureFile: " << this->Held->StructureFile << "\n";

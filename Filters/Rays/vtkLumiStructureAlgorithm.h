@@ -153,6 +153,17 @@ public:
 
   ///@{
   /**
+   * Grid, octree, KD- and BSP-tree: whether a ray remembers the primitives it was tested against of
+   * late and leaves out blocks that hold no others. Hits are the same, tests are fewer. It pays
+   * where large things lie in many cells, and costs a little elsewhere. Default off.
+   */
+  vtkSetMacro(Mailboxing, bool);
+  vtkGetMacro(Mailboxing, bool);
+  vtkBooleanMacro(Mailboxing, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether a bounding volume hierarchy is fitted to points that have moved since this filter last
    * ran, while the cells are the same, in place of being built again: far quicker, with the same
    * hits. What rays cost grows as points move against each other; where the surface-area cost has
@@ -238,6 +249,7 @@ private:
   double GridDensity = 0.5;
   int GridResolution[3] = { 0, 0, 0 };
   int NumberOfThreads = 0;
+  bool Mailboxing = false;
   bool Refit = true;
   double RefitLimit = 2.0;
   int StructureFileUse = LoadOrBuild;

@@ -25,6 +25,7 @@ def set_structure(
     max_depth: int = 64,
     grid_density: float = 0.5,
     grid_resolution: Sequence[int] | None = None,
+    mailboxing: bool = False,
     threads: int = 0,
     refit: bool = True,
     refit_limit: float = 2.0,
@@ -43,6 +44,7 @@ def set_structure(
     filter_.SetMaxDepth(in_range(max_depth, 1, 64, "max_depth"))
     filter_.SetGridDensity(_density(grid_density))
     filter_.SetGridResolution(_resolution(grid_resolution))
+    filter_.SetMailboxing(bool(mailboxing))
     filter_.SetNumberOfThreads(in_range(threads, 0, 4096, "threads"))
     filter_.SetRefit(bool(refit))
     filter_.SetRefitLimit(_limit(refit_limit))

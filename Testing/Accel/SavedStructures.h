@@ -53,7 +53,7 @@ inline std::string sealed(const std::string& body)
   const auto number = [](auto value)
   { return std::string(reinterpret_cast<const char*>(&value), sizeof(value)); };
   const std::string bytes = "LumiTree" + number(std::uint32_t{ 0x01020304 }) +
-    number(std::uint32_t{ 1 }) + number(std::uint64_t{ body.size() }) + body;
+    number(saveVersion) + number(std::uint64_t{ body.size() }) + body;
   boost::crc_32_type crc;
   crc.process_bytes(bytes.data(), bytes.size());
   return bytes + number(std::uint32_t{ crc.checksum() });

@@ -31,6 +31,12 @@ std::vector<BuildOptions> structures()
     all.back().kdBuild = KdBuild::SpatialMedian;
     all.back().leafSize = 1; // as deep as it gets
   }
+  for (const Structure structure :
+    { Structure::Grid, Structure::Octree, Structure::KdTree, Structure::BspTree })
+  {
+    all.push_back(optionsOf(structure));
+    all.back().mailboxing = true;
+  }
   // One cell, and cells along one axis only.
   for (const std::array<int, 3>& resolution : { std::array<int, 3>{ 1, 1, 1 }, { 100, 1, 1 } })
   {
@@ -329,6 +335,7 @@ INSTANTIATE_TEST_SUITE_P(Structures, Catalogue, ::testing::ValuesIn(structures()
   [](const auto& options)
   {
     std::string text = label(options.param) + "Leaf" + std::to_string(options.param.leafSize);
+    text += options.param.mailboxing ? "Mailboxing" : "";
     for (const int cells : options.param.gridResolution)
     {
       text += cells > 0 ? "x" + std::to_string(cells) : "";

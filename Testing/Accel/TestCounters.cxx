@@ -214,6 +214,75 @@ TEST(Counters, VisitsAreAddedToWhatIsThere)
   }
 }
 
+TEST(Counters, WhatIsRememberedIsNotTestedAgain)
+{
+  // A few large triangles in many cells, among small ones.
+  Uniform uniform(21);
+  std::vector<std::array<Vec3, 3>> triangles;
+  const auto point = [&](double size) -> Vec3 {
+    return { uniform(0, size), uniform(0, size), uniform(0, size) };
+  };
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vec3 p = point(10);
+    triangles.push_back({ p, p + point(0.2), p + point(0.2) });
+  }
+  for (int i = 0; i < 20; ++i)
+  {
+    triangles.push_back({ point(10), point(10), point(10) });
+  }
+  const auto surface = surfaceOf<float>(triangles);
+  const Rays rays = raysAround(*surface, 500, 22);
+  for (const Structure structure :
+    { Structure::Grid, Structure::Octree, Structure::KdTree, Structure::BspTree })
+  {
+    for (const Precision precision : everyPrecision)
+    {
+      for (int query = 0; query < queryKindCount; ++query)
+      {
+        SCOPED_TRACE(std::string(name(structure)) + ", query " + std::to_string(query));
+        if (query == static_cast<int>(QueryKind::Crossings) && precision != Precision::Exact)
+        {
+          continue;
+        }
+        std::array<RayCounters, 2> sums;
+        std::array<std::vector<Hit>, 2> closest;
+        std::array<std::vector<std::uint64_t>, 2> perNode;
+        for (const bool remember : { false, true })
+        {
+          BuildOptions options = optionsOf(structure);
+          options.mailboxing = remember;
+          const auto accelerator = build(surface, options);
+          EXPECT_EQ(accelerator->options().mailboxing, remember);
+          std::vector<RayCounters> counters(rays.size());
+          const std::size_t k = remember ? 1 : 0;
+          perNode[k].resize(accelerator->statistics().nodes);
+          QueryOptions counting = with(precision);
+          counting.perRay = counters.data();
+          counting.perNode = perNode[k].data();
+          askAll(*accelerator, rays.batch(), counting, query);
+          for (const RayCounters& c : counters)
+          {
+            sums[k].nodes += c.nodes;
+            sums[k].leaves += c.leaves;
+            sums[k].primitives += c.primitives;
+          }
+          closest[k].resize(rays.size());
+          accelerator->closest(rays.batch(), closest[k].data(), with(precision));
+        }
+        EXPECT_EQ(perNode[1], perNode[0]);
+        EXPECT_EQ(sums[1].nodes, sums[0].nodes);
+        EXPECT_LE(sums[1].leaves, sums[0].leaves);
+        EXPECT_LT(sums[1].primitives, sums[0].primitives);
+        for (std::size_t i = 0; i < rays.size(); ++i)
+        {
+          ASSERT_TRUE(sameBits(closest[1][i], closest[0][i])) << "ray " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(Counters, ATreeSavesWork)
 {
   const auto& teapot = surfaces().front();

@@ -280,7 +280,7 @@ TEST(Save, SaysWhatIsWrong)
   { EXPECT_NE(text.find(part), std::string::npos) << text; };
   expect(problem(0, "no"), "no saved structure");
   expect(problem(8, std::string("\x01\x02\x03\x04", 4)), "other way");
-  expect(problem(12, "\x07"), "version 7, not 1");
+  expect(problem(12, "\x07"), "version 7, not 2");
   expect(problem(100, "####"), "checksum");
   expect(problemWith("", surface), "no saved structure");
   expect(problemWith(whole.substr(0, 500), surface), "too early");

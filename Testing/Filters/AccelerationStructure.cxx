@@ -129,6 +129,15 @@ TEST_F(Structure, EveryOptionOfTheBuildReachesIt)
   this->filter_->SetKdBuild(vtkLumiAccelerationStructure::SpatialMedian);
   EXPECT_GT(value(this->row(), "SahCost", 0), sah);
 
+  this->filter_->SetKdBuild(vtkLumiAccelerationStructure::Sah);
+  this->filter_->SetLeafSize(1);
+  this->filter_->SetRaysData(pointRays(raysAtUnitBall(200)));
+  this->filter_->SetQuery(vtkLumiAccelerationStructure::All);
+  const double tested = value(this->row(), "RayPrimitivesTested", 0);
+  this->filter_->MailboxingOn();
+  EXPECT_LT(value(this->row(), "RayPrimitivesTested", 0), tested);
+  this->filter_->SetInputConnection(1, nullptr);
+
   this->filter_->SetStructure(vtkLumiAccelerationStructure::Grid);
   const double automatic = value(this->row(), "Leaves", 0);
   this->filter_->SetGridDensity(10.0);

@@ -486,7 +486,7 @@ TEST_F(RayCast, PrintsItself)
   this->cast_->Print(text);
   for (const char* name :
     { "Query", "RoundedParameter", "Structure", "Precision", "BvhBuild", "KdBuild", "LeafSize",
-      "MaxDepth", "GridDensity", "GridResolution", "TMin", "TMax", "PassSurfaceData",
+      "MaxDepth", "GridDensity", "GridResolution", "Mailboxing", "TMin", "TMax", "PassSurfaceData",
       "CountTraversal", "NumberOfThreads", "OutputPointsPrecision", "Controller" })
   {
     EXPECT_NE(text.str().find(std::string(name) + ": "), std::string::npos) << name;

@@ -48,6 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.maxDepth = changes.maxDepth;
     options.gridDensity = changes.gridDensity;
     options.gridResolution = changes.gridResolution;
+    options.mailboxing = changes.maxDepth % 2 == 0;
     try
     {
       const auto accelerator = build(surface, options);

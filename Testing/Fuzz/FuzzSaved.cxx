@@ -15,8 +15,8 @@ using namespace lumitree::testing;
 namespace
 {
 
-/// Structure, ways to build, leaf size, depth, density and resolution stand before the fingerprint.
-constexpr std::size_t optionsSize = 5 * 4 + 8 + 3 * 4;
+/// Structure, ways to build, leaf size, depth, density, resolution and mailboxing stand before the fingerprint.
+constexpr std::size_t optionsSize = 5 * 4 + 8 + 3 * 4 + 1;
 constexpr std::size_t fingerprintSize = 16;
 
 /// Changes numbers, takes stretches out, doubles them, or cuts the end off; the fingerprint stays,

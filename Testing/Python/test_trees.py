@@ -48,6 +48,17 @@ def test_faces_and_leaves_on_request():
     assert leaves.GetNumberOfPolys() == 6 * tree.statistics["Leaves"]
 
 
+def test_mailboxing_tests_less_and_hits_the_same():
+    rays = lumitree.rays(*random_rays(300))
+    casts = [
+        lumitree.cast(MESH, rays, query="all", structure="grid", mailboxing=on, cost=True)
+        for on in (False, True)
+    ]
+    np.testing.assert_array_equal(casts[1].t, casts[0].t)
+    tested = [cast.cost["primitives_tested"].sum() for cast in casts]
+    assert tested[1] < tested[0]
+
+
 def test_visits_of_rays():
     rays = lumitree.rays(*random_rays(200))
     tree = lumitree.hierarchy(MESH, "bvh", rays)
