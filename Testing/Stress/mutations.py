@@ -163,7 +163,7 @@ LEAF = [
     mutant("The block's longest edge is that of its first triangle", "Stress FilterBound",
            "Accel/Kernel/TriangleBlock.h", "edge > block.edge ? edge : block.edge",
            "lane == 0 && edge > block.edge ? edge : block.edge"),
-    mutant("Contraction: single triangles' edge functions by fma, blocks' without", "FilterBound Numbers",
+    mutant("Contraction: single triangles' edge functions by fma, blocks' without", "AgainstBruteForce",
            EDGES, "(dx * (ey * pz - ez * py) + dy * (ez * px - ex * pz)) + dz * (ex * py - ey * px)",
            "std::fma(dz, ex * py - ey * px, dx * (ey * pz - ez * py) + dy * (ez * px - ex * pz))"),
     mutant("Contraction is allowed", "StyleFloatingPointFlags",
