@@ -11,19 +11,13 @@
 #include <array>
 #include <atomic>
 #include <cstring>
+#include <utility>
 
 namespace lumitree
 {
 
 namespace
 {
-
-double checked(const SkyLevel& level)
-{
-  return checks::notNegative(level.value,
-    level.kind == SkyLevel::Kind::ZenithRadiance ? "The zenith radiance of a sky"
-                                                 : "The horizontal irradiance of a sky");
-}
 
 /// Of unit vectors.
 double angleBetween(const Vec3& a, const Vec3& b)
@@ -46,6 +40,10 @@ double integrateRoots(double a, double b, double tolerance, const Function& f)
     },
     6);
 }
+
+/// √(1 − cosine of the angle to the sun) up to which its part of the radiance is in a table:
+/// beyond, near the point opposite it, the angle is not smooth in that.
+constexpr double mostTabled = 1.3;
 
 // Absolute: of sky and of a ring of it, whose relative radiances are of the order of 1.
 constexpr double skyTolerance = 5e-11;
@@ -74,45 +72,6 @@ Remembered& remembered(std::uint64_t sky, const Vec3& normal)
 
 } // namespace
 
-double uniformRadiance(const SkyLevel& level)
-{
-  const double value = checked(level);
-  return level.kind == SkyLevel::Kind::ZenithRadiance ? value : value / pi;
-}
-
-OvercastSky::OvercastSky(const SkyLevel& level, const Vec3& up, double groundRadiance)
-  : SkySource(up, groundRadiance)
-  , zenithRadiance_(level.kind == SkyLevel::Kind::ZenithRadiance
-        ? checked(level)
-        : checked(level) * 9.0 / (7.0 * pi))
-{
-}
-
-double OvercastSky::skyRadiance(const Vec3& direction) const
-{
-  return this->zenithRadiance_ * (1.0 + 2.0 * std::clamp(dot(direction, this->up()), 0.0, 1.0)) /
-    3.0;
-}
-
-double OvercastSky::skyIrradiance(const Vec3& normal) const
-{
-  const double cosine = dot(normal, this->up());
-  const double sine = length(cross(normal, this->up()));
-  const double tilt = std::atan2(sine, cosine);
-  return this->zenithRadiance_ *
-    std::max(0.0, pi * (1.0 + cosine) / 6.0 + 4.0 / 9.0 * (sine + (pi - tilt) * cosine));
-}
-
-double OvercastSky::skyScalarIrradiance() const
-{
-  return 4.0 * pi / 3.0 * this->zenithRadiance_;
-}
-
-Vec3 OvercastSky::skyVector() const
-{
-  return (7.0 * pi / 9.0 * this->zenithRadiance_) * this->up();
-}
-
 GeneralSky::GeneralSky(const SkyDistribution& distribution, const Vec3& towardsSun,
   const SkyLevel& level, const Vec3& up, double groundRadiance)
   : SkySource(up, groundRadiance)
@@ -121,7 +80,7 @@ GeneralSky::GeneralSky(const SkyDistribution& distribution, const Vec3& towardsS
 {
   static std::atomic<std::uint64_t> count{ 0 };
   this->identity_ = ++count;
-  const double value = checked(level);
+  const double value = checkedLevel(level);
   if (!distribution.isRound() && dot(this->towardsSun_, this->up()) < -1e-12)
   {
     throw std::invalid_argument("The sun of this sky is below the horizon.");
@@ -136,6 +95,7 @@ GeneralSky::GeneralSky(const SkyDistribution& distribution, const Vec3& towardsS
     throw std::invalid_argument("This distribution makes no sky: it is not positive.");
   }
   this->scale_ = value / own;
+  this->makeTables();
   this->scalar_ = this->scale_ * this->overSky([](const Vec3&) { return 1.0; }, nullptr);
   this->vector_ = (this->scale_ * horizontal) * this->up();
   const Vec3 side = cross(this->up(), this->towardsSun_);
@@ -145,6 +105,43 @@ GeneralSky::GeneralSky(const SkyDistribution& distribution, const Vec3& towardsS
     const Vec3 azimuth = (1.0 / size) * cross(side, this->up());
     this->vector_ = this->vector_ + (this->scale_ * all(azimuth)) * azimuth;
   }
+}
+
+void GeneralSky::makeTables()
+{
+  const SkyDistribution& d = this->distribution_;
+  if (d.a != 0.0 && d.b > 0.0)
+  {
+    return; // bent at the horizon
+  }
+  constexpr std::size_t steps = 512;
+  this->gradation_ = HermiteTable(1.0, steps,
+    [&](double sine)
+    {
+      const double slope = sine > 0.0 ? -d.a * d.b / (sine * sine) * std::exp(d.b / sine) : 0.0;
+      return std::pair(d.gradation(sine), d.a == 0.0 ? 0.0 : slope);
+    });
+  // χ = 2 asin(x / √2), of which dχ/dx = 2 / √(2 − x²).
+  this->indicatrix_ = HermiteTable(mostTabled, steps,
+    [&](double x)
+    {
+      const double chi = 2.0 * std::asin(x / std::sqrt(2.0));
+      const double cosine = 1.0 - x * x;
+      const double slope =
+        d.c * d.d * std::exp(d.d * chi) * 2.0 / std::sqrt(2.0 - x * x) - 4.0 * d.e * cosine * x;
+      return std::pair(d.indicatrix(chi, cosine), slope);
+    });
+}
+
+double GeneralSky::radianceOfSample(const Vec3& direction) const
+{
+  const double sine = dot(direction, this->up());
+  const double x = std::sqrt(std::max(0.0, 1.0 - dot(direction, this->towardsSun_)));
+  if (this->gradation_.empty() || !(sine >= 0.0) || !(x <= mostTabled))
+  {
+    return this->radianceFrom(direction);
+  }
+  return this->scale_ * std::max(0.0, this->gradation_(std::min(1.0, sine)) * this->indicatrix_(x));
 }
 
 double GeneralSky::relative(const Vec3& direction) const

@@ -3,6 +3,7 @@
 #ifndef Lumitree_Radiometry_GeneralSky_h
 #define Lumitree_Radiometry_GeneralSky_h
 
+#include "Radiometry/Integration/HermiteTable.h"
 #include "Radiometry/SkyDistribution.h"
 #include "Radiometry/SkySource.h"
 
@@ -47,8 +48,8 @@ private:
 
 /// A sky with a gradation towards the horizon and a corona around the sun: the CIE general skies,
 /// and the all-weather sky. Irradiance by quadrature in rings around the sun, to about 1e-11, which
-/// takes some milliseconds under a clear sky; the last normals asked for are remembered, as receivers
-/// on one face share theirs.
+/// takes some milliseconds under a clear sky; the last normals asked for are remembered, as
+/// receivers on one face share theirs.
 class LUMITREE_RADIOMETRY_EXPORT GeneralSky : public SkySource
 {
 public:
@@ -59,6 +60,7 @@ public:
     const Vec3& up = { 0.0, 0.0, 1.0 }, double groundRadiance = 0.0);
 
   [[nodiscard]] double zenithRadiance() const { return this->skyRadiance(this->up()); }
+  [[nodiscard]] double radianceOfSample(const Vec3& direction) const override;
 
 protected:
   [[nodiscard]] double skyRadiance(const Vec3& direction) const override;
@@ -67,6 +69,7 @@ protected:
   [[nodiscard]] Vec3 skyVector() const override { return this->vector_; }
 
 private:
+  void makeTables();
   [[nodiscard]] double relative(const Vec3& direction) const;
   template <class Kernel>
   [[nodiscard]] double overSky(const Kernel& kernel, const Vec3* normal) const;
@@ -76,8 +79,13 @@ private:
   double scale_ = 1.0;
   double scalar_ = 0.0;
   Vec3 vector_ = { 0.0, 0.0, 0.0 };
-  std::uint64_t identity_; ///< of this sky in what is remembered
+  HermiteTable gradation_;  ///< by the sine of the elevation; empty where it is not smooth
+  HermiteTable indicatrix_; ///< by √(1 − cosine of the angle to the sun)
+  std::uint64_t identity_;  ///< of this sky in what is remembered
 };
+
+/// The level's value. Throws std::invalid_argument where it is negative or not finite.
+[[nodiscard]] double checkedLevel(const SkyLevel& level);
 
 /// The uniform sky's radiance for a level.
 [[nodiscard]] LUMITREE_RADIOMETRY_EXPORT double uniformRadiance(const SkyLevel& level);

@@ -20,6 +20,12 @@ public:
   /// Radiance that comes from a direction of unit length.
   [[nodiscard]] double radianceFrom(const Vec3& direction) const;
 
+  /// The same to about 1e-7 of the sky's brightest part, sooner: for samples.
+  [[nodiscard]] virtual double radianceOfSample(const Vec3& direction) const
+  {
+    return this->radianceFrom(direction);
+  }
+
   [[nodiscard]] std::optional<double> flux() const final { return std::nullopt; }
   [[nodiscard]] std::optional<double> intensity(const Vec3&) const final { return std::nullopt; }
   [[nodiscard]] double irradiance(const Vec3& position, const Vec3& normal) const final;

@@ -67,7 +67,7 @@ void CosineSkySamples::draw(
     SourceSample& sample = samples[i];
     sample.sightline.direction = to.direction;
     sample.sightline.endless = true;
-    sample.radiance = this->sky_.radianceFrom(to.direction);
+    sample.radiance = this->sky_.radianceOfSample(to.direction);
     sample.weight = pi / to.cosine;
   }
 }
@@ -166,7 +166,7 @@ void RadianceSkySamples::draw(
     sample.sightline.direction = (sine * (c * offCosine - s * offSine)) * this->axes_[0] +
       (sine * (s * offCosine + c * offSine)) * this->axes_[1] + cosine * this->axes_[2];
     sample.sightline.endless = true;
-    sample.radiance = this->sky_.radianceFrom(sample.sightline.direction);
+    sample.radiance = this->sky_.radianceOfSample(sample.sightline.direction);
     sample.weight = cosine > 0.0 ? this->weights_[ring][sector] / cosine : 0.0;
   }
 }

@@ -100,6 +100,32 @@ TEST(GeneralSky, TiltedPlanesAgainstSamplesAndTheLightVector)
   }
 }
 
+TEST(GeneralSky, RadianceOfSamplesIsTheRadiance)
+{
+  for (int type = 0; type <= 15; ++type)
+  {
+    for (const double zenithAngle : { 0.0, 0.6, 1.5 })
+    {
+      const SkyDistribution distribution =
+        type > 0 ? cieSky(type) : perezSky(skyCondition(600.0, 150.0, 0.6, 1361.0), 0.6);
+      const GeneralSky sky(distribution, { std::sin(zenithAngle), 0.0, std::cos(zenithAngle) },
+        SkyLevel{ SkyLevel::Kind::ZenithRadiance, 1.0 });
+      double brightest = 0.0;
+      double worst = 0.0;
+      for (int i = 0; i < 4000; ++i)
+      {
+        const double z = i % 5 == 0 ? 1e-3 * (i % 50) : (i + 0.5) / 4000;
+        const double r = std::sqrt(1.0 - z * z);
+        const double azimuth = i % 7 == 0 ? 1e-3 * i : 2.39996 * i;
+        const Vec3 w = { r * std::cos(azimuth), r * std::sin(azimuth), z };
+        brightest = std::max(brightest, sky.radianceFrom(w));
+        worst = std::max(worst, std::fabs(sky.radianceOfSample(w) - sky.radianceFrom(w)));
+      }
+      EXPECT_LE(worst, 1e-7 * brightest) << type << ' ' << zenithAngle;
+    }
+  }
+}
+
 TEST(GeneralSky, TypeFiveIsUniformAndTypeOneIsNotMoonAndSpencer)
 {
   const GeneralSky uniform(cieSky(5), up, unitZenith);
