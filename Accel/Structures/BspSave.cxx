@@ -24,42 +24,6 @@ struct Task
   int depth;
 };
 
-struct Step
-{
-  std::uint32_t node;
-  std::size_t depth;
-  bool above; ///< of its parent's plane
-  std::uint32_t parent;
-};
-
-PlanesAbove planesAbove(const Surface& surface, const BspNodes& tree, const LeafBlocks& blocks)
-{
-  PlanesAbove planes(tree.nodes.size());
-  std::vector<Step> waiting = { { 0, 0, false, 0 } };
-  while (!waiting.empty())
-  {
-    const Step step = waiting.back();
-    waiting.pop_back();
-    if (step.depth > 0)
-    {
-      const BspNode& parent = tree.nodes[step.parent];
-      planes.go(step.depth - 1, { step.parent, parent.axis, parent.offset, step.above });
-    }
-    const BspNode& node = tree.nodes[step.node];
-    if (!node.leaf)
-    {
-      waiting.push_back({ node.first + 1, step.depth + 1, true, step.node });
-      waiting.push_back({ node.first, step.depth + 1, false, step.node });
-      continue;
-    }
-    for (std::uint32_t i = 0; i < node.count; ++i)
-    {
-      planes.found(step.depth, surface.box(primitiveAt(blocks, node.first, i)));
-    }
-  }
-  return planes;
-}
-
 std::uint8_t kindOf(const BspNode& node, bool inPlaneAbove)
 {
   if (node.leaf)
@@ -85,73 +49,51 @@ bool isNormal(const Vec3& normal)
   return largest == 1.0;
 }
 
-/// Reads the planes again, in the order in which they were written.
-class Planes
+SavedDivisions readDivisions(SaveReader& reader)
 {
-public:
-  explicit Planes(SaveReader& reader)
-    : kinds_(reader.getAll<std::uint8_t>(reader.get<std::uint64_t>()))
-    , numbers_(reader.getAll<double>(reader.get<std::uint64_t>()))
+  auto kinds = reader.getAll<std::uint8_t>(reader.get<std::uint64_t>());
+  auto numbers = reader.getAll<double>(reader.get<std::uint64_t>());
+  return { std::move(kinds), std::move(numbers) };
+}
+
+/// The plane of the next node; false for a leaf.
+bool nextPlane(SavedDivisions& divisions, BspPlane& plane)
+{
+  const std::uint8_t kind = divisions.kind();
+  require(kind <= leafKind || (kind >= aboveBit && kind < aboveBit + generalKind),
+    "a node is of no kind");
+  if (kind == leafKind)
   {
+    return false;
   }
-
-  [[nodiscard]] std::size_t nodes() const { return this->kinds_.size(); }
-
-  /// That of the next node; false for a leaf.
-  bool next(BspPlane& plane)
+  plane = BspPlane{};
+  if (kind == generalKind)
   {
-    require(this->kind_ < this->kinds_.size(), "its nodes are no tree");
-    const std::uint8_t kind = this->kinds_[this->kind_++];
-    require(kind <= leafKind || (kind >= aboveBit && kind < aboveBit + generalKind),
-      "a node is of no kind");
-    if (kind == leafKind)
+    for (double& n : plane.normal)
     {
-      return false;
+      n = divisions.number();
     }
-    plane = BspPlane{};
-    if (kind == generalKind)
-    {
-      for (double& n : plane.normal)
-      {
-        n = this->number();
-      }
-      require(isNormal(plane.normal), "a plane has no such normal");
-    }
-    else
-    {
-      plane.axis = kind & kindBits;
-      plane.inPlaneBelow = (kind & aboveBit) == 0;
-      plane.normal[static_cast<std::size_t>(plane.axis)] = 1.0;
-    }
-    plane.offset = this->number();
-    require(std::fabs(plane.offset) <= 8.0 * coordinateLimit, "a plane is not finite");
-    return true;
+    require(isNormal(plane.normal), "a plane has no such normal");
   }
-
-  [[nodiscard]] bool atEnd() const
+  else
   {
-    return this->kind_ == this->kinds_.size() && this->number_ == this->numbers_.size();
+    plane.axis = kind & kindBits;
+    plane.inPlaneBelow = (kind & aboveBit) == 0;
+    plane.normal[static_cast<std::size_t>(plane.axis)] = 1.0;
   }
-
-private:
-  double number()
-  {
-    require(this->number_ < this->numbers_.size(), "its nodes are no tree");
-    return this->numbers_[this->number_++];
-  }
-
-  std::vector<std::uint8_t> kinds_;
-  std::vector<double> numbers_;
-  std::size_t kind_ = 0;
-  std::size_t number_ = 0;
-};
+  plane.offset = divisions.number();
+  require(std::fabs(plane.offset) <= 8.0 * coordinateLimit, "a plane is not finite");
+  return true;
+}
 
 } // namespace
 
 void saveBspTree(
   const Surface& surface, const BspNodes& tree, const LeafBlocks& blocks, SaveWriter& writer)
 {
-  const PlanesAbove planes = planesAbove(surface, tree, blocks);
+  const PlanesAbove planes = planesAbove(
+    surface, tree, blocks, [](const BspNode& node) { return node.leaf; },
+    [](const BspNode& node) { return std::make_pair(static_cast<int>(node.axis), node.offset); });
   std::vector<std::uint8_t> kinds;
   std::vector<double> numbers;
   std::vector<std::uint32_t> waiting = { 0 };
@@ -182,7 +124,7 @@ void saveBspTree(
 BspNodes loadBspTree(
   const Surface& surface, LeafBlocks& blocks, BuildProgress& progress, SaveReader& reader)
 {
-  Planes planes(reader);
+  SavedDivisions divisions = readDivisions(reader);
   BspNodes tree;
   tree.cell = surface.bounds();
   tree.nodes.emplace_back();
@@ -192,22 +134,16 @@ BspNodes loadBspTree(
                       rootReferences(surface) },
     0, 0 });
   std::size_t left = mostReferences(surface);
-  progress.stage(0.99, planes.nodes());
+  progress.stage(0.99, divisions.nodes());
   while (!tasks.empty())
   {
     const Task task = std::move(tasks.back());
     tasks.pop_back();
     progress.advance(1);
     BspPlane plane;
-    if (!planes.next(plane))
+    if (!nextPlane(divisions, plane))
     {
-      const std::vector<PrimitiveId> ids = idsOf(task.part.references);
-      require(ids.size() <= left, "it has more references than any builder makes");
-      left -= ids.size();
-      BspNode& leaf = tree.nodes[task.node];
-      leaf.count = static_cast<std::uint32_t>(ids.size());
-      std::visit(
-        [&](auto& store) { leaf.first = store.append(surface, ids.data(), ids.size()); }, blocks);
+      loadLeaf(surface, task.part.references, blocks, left, tree.nodes[task.node]);
       continue;
     }
     require(task.depth < cellDepthLimit, "it is deeper than 64");
@@ -216,7 +152,7 @@ BspNodes loadBspTree(
     require(polyhedra.has_value(), "a plane does not cut its cell");
     auto [below, above] = divideReferences(surface, frame, task.part, plane, std::move(*polyhedra));
     const auto first = static_cast<std::uint32_t>(tree.nodes.size());
-    require(first + 2 <= planes.nodes(), "its nodes are no tree");
+    require(first + 2 <= divisions.nodes(), "its nodes are no tree");
     BspNode& node = tree.nodes[task.node];
     node.leaf = false;
     node.normal = plane.normal;
@@ -227,7 +163,7 @@ BspNodes loadBspTree(
     tasks.push_back({ std::move(above), first + 1, task.depth + 1 });
     tasks.push_back({ std::move(below), first, task.depth + 1 });
   }
-  require(planes.atEnd(), "its nodes are no tree");
+  require(divisions.atEnd(), "its nodes are no tree");
   return tree;
 }
 

@@ -23,91 +23,37 @@ struct Task
   int depth;
 };
 
-/// A node on the way through a tree.
-struct Step
+SavedDivisions readDivisions(SaveReader& reader)
 {
-  std::uint32_t node;
-  std::size_t depth;
-  bool above; ///< of its parent's plane
-  std::uint32_t parent;
-};
-
-PlanesAbove planesAbove(const Surface& surface, const KdTreeNodes& tree, const LeafBlocks& blocks)
-{
-  PlanesAbove planes(tree.nodes.size());
-  std::vector<Step> waiting = { { 0, 0, false, 0 } };
-  while (!waiting.empty())
-  {
-    const Step step = waiting.back();
-    waiting.pop_back();
-    if (step.depth > 0)
-    {
-      const KdNode& parent = tree.nodes[step.parent];
-      planes.go(step.depth - 1,
-        { step.parent, static_cast<int>(parent.axis), parent.position, step.above });
-    }
-    const KdNode& node = tree.nodes[step.node];
-    if (!node.isLeaf())
-    {
-      waiting.push_back({ node.first + 1, step.depth + 1, true, step.node });
-      waiting.push_back({ node.first, step.depth + 1, false, step.node });
-      continue;
-    }
-    for (std::uint32_t i = 0; i < node.count; ++i)
-    {
-      planes.found(step.depth, surface.box(primitiveAt(blocks, node.first, i)));
-    }
-  }
-  return planes;
+  auto kinds = reader.getAll<std::uint8_t>(reader.get<std::uint64_t>());
+  auto positions = reader.getAll<double>(kinds.size() / 2);
+  return { std::move(kinds), std::move(positions) };
 }
 
-/// Reads the planes again, in the order in which they were written.
-class Planes
+/// The plane of the next node; its axis is -1 for a leaf.
+KdSplit nextSplit(SavedDivisions& divisions)
 {
-public:
-  explicit Planes(SaveReader& reader)
-    : kinds_(reader.getAll<std::uint8_t>(reader.get<std::uint64_t>()))
-    , positions_(reader.getAll<double>(this->kinds_.size() / 2))
+  const std::uint8_t kind = divisions.kind();
+  require(kind <= (axisBits | aboveBit), "a node is split along no axis");
+  KdSplit split;
+  if ((kind & axisBits) != leafKind)
   {
+    split.axis = kind & axisBits;
+    split.position = divisions.number();
+    split.inPlaneBelow = (kind & aboveBit) == 0;
   }
-
-  [[nodiscard]] std::size_t nodes() const { return this->kinds_.size(); }
-
-  /// That of the next node; its axis is -1 for a leaf.
-  KdSplit next()
-  {
-    require(this->kind_ < this->kinds_.size(), "its nodes are no tree");
-    const std::uint8_t kind = this->kinds_[this->kind_++];
-    require(kind <= (axisBits | aboveBit), "a node is split along no axis");
-    KdSplit split;
-    if ((kind & axisBits) != leafKind)
-    {
-      require(this->position_ < this->positions_.size(), "its nodes are no tree");
-      split.axis = kind & axisBits;
-      split.position = this->positions_[this->position_++];
-      split.inPlaneBelow = (kind & aboveBit) == 0;
-    }
-    return split;
-  }
-
-  [[nodiscard]] bool atEnd() const
-  {
-    return this->kind_ == this->kinds_.size() && this->position_ == this->positions_.size();
-  }
-
-private:
-  std::vector<std::uint8_t> kinds_;
-  std::vector<double> positions_;
-  std::size_t kind_ = 0;
-  std::size_t position_ = 0;
-};
+  return split;
+}
 
 } // namespace
 
 void saveKdTree(
   const Surface& surface, const KdTreeNodes& tree, const LeafBlocks& blocks, SaveWriter& writer)
 {
-  const PlanesAbove planes = planesAbove(surface, tree, blocks);
+  const PlanesAbove planes = planesAbove(
+    surface, tree, blocks, [](const KdNode& node) { return node.isLeaf(); },
+    [](const KdNode& node)
+    { return std::make_pair(static_cast<int>(node.axis), static_cast<double>(node.position)); });
   std::vector<std::uint8_t> kinds;
   std::vector<double> positions;
   std::vector<std::uint32_t> waiting = { 0 };
@@ -134,31 +80,26 @@ void saveKdTree(
 KdTreeNodes loadKdTree(
   const Surface& surface, LeafBlocks& blocks, BuildProgress& progress, SaveReader& reader)
 {
-  Planes planes(reader);
+  SavedDivisions divisions = readDivisions(reader);
   KdTreeNodes tree;
   tree.cell = surface.bounds();
-  tree.nodes.reserve(planes.nodes());
+  tree.nodes.reserve(divisions.nodes());
   tree.nodes.emplace_back();
   std::vector<Task> tasks;
   tasks.push_back({ tree.cell, rootReferences(surface), 0, 0 });
   std::size_t left = mostReferences(surface);
-  progress.stage(0.99, planes.nodes());
+  progress.stage(0.99, divisions.nodes());
   while (!tasks.empty())
   {
     const Task task = std::move(tasks.back());
     tasks.pop_back();
     progress.advance(1);
-    const KdSplit split = planes.next();
+    const KdSplit split = nextSplit(divisions);
     if (split.axis < 0)
     {
-      const std::vector<PrimitiveId> ids = idsOf(task.references);
-      require(ids.size() <= left && ids.size() <= KdNode::largestLeaf,
+      require(task.references.size() <= KdNode::largestLeaf,
         "it has more references than any builder makes");
-      left -= ids.size();
-      KdNode& leaf = tree.nodes[task.node];
-      leaf.count = static_cast<std::uint32_t>(ids.size());
-      std::visit(
-        [&](auto& store) { leaf.first = store.append(surface, ids.data(), ids.size()); }, blocks);
+      loadLeaf(surface, task.references, blocks, left, tree.nodes[task.node]);
       continue;
     }
     const auto axis = static_cast<std::size_t>(split.axis);
@@ -168,7 +109,7 @@ KdTreeNodes loadKdTree(
     KdSides sides = divideReferences(surface, task.cell, task.references, split);
     const KdCells cells(task.cell, axis, split.position);
     const auto first = static_cast<std::uint32_t>(tree.nodes.size());
-    require(first + 2 <= planes.nodes(), "its nodes are no tree");
+    require(first + 2 <= divisions.nodes(), "its nodes are no tree");
     KdNode& node = tree.nodes[task.node];
     node.axis = static_cast<std::uint32_t>(axis) & 3u;
     node.position = split.position;
@@ -177,7 +118,7 @@ KdTreeNodes loadKdTree(
     tasks.push_back({ cells.above, std::move(sides.above), first + 1, task.depth + 1 });
     tasks.push_back({ cells.below, std::move(sides.below), first, task.depth + 1 });
   }
-  require(planes.atEnd(), "its nodes are no tree");
+  require(divisions.atEnd(), "its nodes are no tree");
   return tree;
 }
 
