@@ -20,7 +20,19 @@ namespace
 {
 char spawned;
 char finished;
-}
+
+/// For ThreadSanitizer, also where an exception leaves: the end of a task, and that of all.
+///@{
+struct TaskEnd
+{
+  ~TaskEnd() { happensBefore(finished); }
+};
+struct LoopEnd
+{
+  ~LoopEnd() { happensAfter(finished); }
+};
+///@}
+} // namespace
 
 bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* control,
   const std::function<void(std::size_t, std::size_t)>& body)
@@ -61,6 +73,7 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
     // oneTBB warns on the standard error of a program that asks for more than it may have.
     tbb::task_arena arena(threads > 0 ? concurrency(threads) : tbb::task_arena::automatic);
     happensBefore(spawned);
+    const LoopEnd loopEnd;
     arena.execute(
       [&]
       {
@@ -68,14 +81,13 @@ bool parallelFor(std::size_t n, std::size_t chunk, int threads, JobControl* cont
           [&](const tbb::blocked_range<std::size_t>& range)
           {
             happensAfter(spawned);
+            const TaskEnd taskEnd;
             for (std::size_t i = range.begin(); i != range.end(); ++i)
             {
               runChunk(i);
             }
-            happensBefore(finished);
           });
       });
-    happensAfter(finished);
   }
   return done.load() == chunks;
 }
