@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Lumitree authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Accel/Kernel/BatchRunner.h"
+#include "Accel/Kernel/BatchChunk.h"
 
-#include "Accel/Kernel/BundlePlan.h"
 #include "Accel/Kernel/Finish.h"
 #include "Accel/Kernel/Queries.h"
-#include "Accel/Kernel/Settle.h"
 #include "Accel/Parallel.h"
 
 #include <mutex>
@@ -24,244 +22,59 @@ constexpr std::size_t leastPlans = 32;
 
 } // namespace
 
-/// What one chunk of rays needs; totals are added to the report when it ends.
-class BatchRunner::Chunk
-{
-public:
-  Chunk(
-    const BatchRunner& runner, const RayBatch& rays, QueryKind query, const QueryOptions& options)
-    : runner_(runner)
-    , rays_(rays)
-    , query_(query)
-    , options_(options)
-    , states_(mostTravellers, RayState(runner.surface_))
-  {
-    const ArrayView::Scalar scalar = runner.surface_.scalar();
-    for (RayState& state : this->states_)
-    {
-      state.settle = settleFunction(options.precision, query, runner.surface_.bodyCount() > 0);
-      state.anyHit = query == QueryKind::Any;
-    }
-    this->leafKernel_ = leafKernel(scalar);
-    if (runner.walks_.kernel)
-    {
-      this->rayKernel_ = runner.walks_.kernel(scalar);
-    }
-    if (runner.goTogether(rays, query, options))
-    {
-      this->bundleKernel_ = runner.walks_.bundle(scalar);
-    }
-    if (options.perNode)
-    {
-      this->visits_.resize(runner.nodeCount_);
-      this->counts_.perNode = this->visits_.data();
-    }
-    if (options.perPrimitive)
-    {
-      this->tests_.resize(runner.surface_.size());
-      this->counts_.perPrimitive = this->tests_.data();
-      this->counts_.addTests = primitiveTests(scalar);
-    }
-  }
-
-  /// Traces rays [begin, end) and calls answer(i, state) for each that is valid, in this order if
-  /// it matters.
-  template <class Answer>
-  void trace(std::size_t begin, std::size_t end, bool inOrder, Answer answer)
-  {
-    if (this->bundleKernel_)
-    {
-      BundlePlan plan;
-      plan.make(this->rays_, begin, end);
-      this->traceTogether(plan, answer);
-      Queue<Answer> queue{ *this, 0, plan.alone().size(), plan.alone().data(), answer };
-      this->rayKernel_(this->runner_.structure_, this->runner_.blocks_, this->states_.data(),
-        mostTravellers, queue.feed());
-      return;
-    }
-    Queue<Answer> queue{ *this, begin, end, nullptr, answer };
-    const bool counting =
-      this->options_.perRay || this->options_.perNode || this->options_.perPrimitive;
-    if (this->rayKernel_ && !counting)
-    {
-      this->rayKernel_(this->runner_.structure_, this->runner_.blocks_, this->states_.data(),
-        inOrder ? 1 : mostTravellers, queue.feed());
-      return;
-    }
-    RayState& state = this->states_.front();
-    while (queue.next(state))
-    {
-      if (counting)
-      {
-        RayCounters counters;
-        CountingVisitor visitor(
-          state, this->leafKernel_, this->runner_.blocks_, counters, this->counts_);
-        this->runner_.walks_.counting(this->runner_.structure_, state, visitor);
-        if (this->options_.perRay)
-        {
-          this->options_.perRay[state.index] = counters;
-        }
-      }
-      else
-      {
-        LeafVisitor visitor(state, this->leafKernel_, this->runner_.blocks_);
-        this->runner_.walks_.plain(this->runner_.structure_, state, visitor);
-      }
-      answer(state.index, state);
-    }
-  }
-
-  /// Counts a hit that is part of the answer.
-  void countHit(PrimitiveId primitive)
-  {
-    if (!this->tests_.empty())
-    {
-      ++this->tests_[primitive].hit;
-    }
-  }
-
-  void addTo(QueryReport& report) const
-  {
-    report.invalidRays += this->invalid_;
-    for (const RayState& state : this->states_)
-    {
-      report.exactTests += state.exactTests;
-      report.exactParameters += state.exactParameters;
-    }
-    for (std::size_t n = 0; n < this->visits_.size(); ++n)
-    {
-      this->options_.perNode[n] += this->visits_[n];
-    }
-    for (std::size_t p = 0; p < this->tests_.size(); ++p)
-    {
-      this->options_.perPrimitive[p].tested += this->tests_[p].tested;
-      this->options_.perPrimitive[p].hit += this->tests_[p].hit;
-    }
-  }
-
-private:
-  /// The chunk's rays that are still to be traced.
-  template <class Answer>
-  struct Queue
-  {
-    /// Starts the next valid ray; false when there are no more.
-    bool next(RayState& state)
-    {
-      while (this->first < this->end)
-      {
-        const std::size_t i = this->first++;
-        if (this->chunk.start(this->listed ? this->listed[i] : i, state))
-        {
-          return true;
-        }
-      }
-      return false;
-    }
-
-    [[nodiscard]] RayFeed feed()
-    {
-      return { this,
-        [](void* owner, RayState& state) { return static_cast<Queue*>(owner)->next(state); },
-        [](void* owner, RayState& state)
-        { static_cast<Queue*>(owner)->answer(state.index, state); } };
-    }
-
-    Chunk& chunk;
-    std::size_t first;
-    std::size_t end;
-    const std::size_t* listed; ///< rays listed[first] … listed[end - 1]; null: first … end - 1
-    Answer& answer;
-  };
-
-  /// Traces the plan's bundles and leaves to go alone what cannot go together.
-  template <class Answer>
-  void traceTogether(BundlePlan& plan, Answer answer)
-  {
-    RayBundle bundle;
-    bundle.state = &this->states_.front();
-    bundle.exact = this->options_.precision == Precision::Exact;
-    bundle.any = this->query_ == QueryKind::Any;
-    // Where one tile of directions was too wide, those as wide will be.
-    float tooWide = std::numeric_limits<float>::infinity();
-    for (const BundlePlan::Bundle& members : plan.bundles())
-    {
-      bool done = false;
-      if (members.spread < tooWide)
-      {
-        bundle.take(
-          this->rays_, plan.members(members), static_cast<int>(members.count), members.axis);
-        done = this->bundleKernel_(this->runner_.structure_, this->runner_.blocks_, bundle);
-        tooWide = done ? tooWide : members.spread;
-      }
-      if (!done)
-      {
-        plan.separate(members);
-        continue;
-      }
-      for (int i = 0; i < bundle.count; ++i)
-      {
-        if (bundle.finish(i))
-        {
-          answer(bundle.index[i], *bundle.state);
-        }
-        else
-        {
-          plan.separate(bundle.index[i]);
-        }
-      }
-    }
-  }
-
-  /// False when the ray is not valid.
-  bool start(std::size_t i, RayState& state)
-  {
-    this->rays_.read(i, state.ray);
-    if (!isValid(state.ray))
-    {
-      ++this->invalid_;
-      if (this->options_.perRay)
-      {
-        this->options_.perRay[i] = RayCounters{};
-      }
-      return false;
-    }
-    state.start();
-    state.index = i;
-    state.setSkips(this->rays_.skip);
-    return true;
-  }
-
-  const BatchRunner& runner_;
-  const RayBatch& rays_;
-  QueryKind query_;
-  const QueryOptions& options_;
-  std::vector<RayState> states_;
-  LeafKernel leafKernel_ = nullptr;
-  RayKernel rayKernel_ = nullptr;
-  BundleKernel bundleKernel_ = nullptr;
-  std::uint64_t invalid_ = 0;
-  std::vector<std::uint64_t> visits_;
-  std::vector<PrimitiveCounters> tests_;
-  TraversalCounts counts_;
-};
-
 BatchRunner::BatchRunner(const Surface& surface, const void* structure, StructureWalks walks,
-  const void* blocks, std::size_t nodeCount)
+  const void* blocks, std::size_t nodeCount, std::size_t memory)
   : surface_(surface)
   , structure_(structure)
   , walks_(walks)
   , blocks_(blocks)
   , nodeCount_(nodeCount)
+  , memory_(memory)
 {
 }
 
-bool BatchRunner::goTogether(
+BatchRunner::Course BatchRunner::courseOf(
   const RayBatch& rays, QueryKind query, const QueryOptions& options) const
 {
-  const bool counting = options.perRay || options.perNode || options.perPrimitive;
-  return this->walks_.bundle && !counting && !options.roundedT &&
+  const bool inOrder = query == QueryKind::All || query == QueryKind::Ties;
+  if (inOrder || options.perRay || options.perNode || options.perPrimitive)
+  {
+    return Course::AsTheyCome;
+  }
+  if (this->walks_.bundle && !options.roundedT &&
     (query == QueryKind::Closest || query == QueryKind::Any) && this->surface_.bodyCount() == 0 &&
-    BundlePlan::mayPay(rays);
+    BundlePlan::mayPay(rays))
+  {
+    return Course::Together;
+  }
+  const std::size_t perThread = rays.size / static_cast<std::size_t>(concurrency(options.threads));
+  return perThread >= OriginOrder::leastChunk &&
+      OriginOrder::pays(rays, this->surface_.bounds(), this->memory_)
+    ? Course::ByOrigin
+    : Course::AsTheyCome;
+}
+
+std::size_t BatchRunner::chunkSize(
+  Course course, const RayBatch& rays, const QueryOptions& options) const
+{
+  switch (course)
+  {
+    case Course::Together:
+      return std::clamp(rays.size / leastPlans, raysPerChunk, raysPerPlan);
+    case Course::ByOrigin:
+    {
+      const auto threads = static_cast<std::size_t>(concurrency(options.threads));
+      return std::clamp(rays.size / (2 * threads), OriginOrder::leastChunk, OriginOrder::mostChunk);
+    }
+    default:
+    {
+      // Visits and tests are counted per chunk and then added, so chunks are large where there are
+      // many nodes or primitives.
+      const std::size_t counted = std::max(options.perNode ? this->nodeCount_ : 0,
+        options.perPrimitive ? this->surface_.size() : std::size_t{ 0 });
+      return std::max(raysPerChunk, counted / 4);
+    }
+  }
 }
 
 QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryOptions& options,
@@ -273,13 +86,8 @@ QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryO
       std::string(name(options.precision)) + "' does not know, only '" +
       std::string(name(Precision::Exact)) + "'");
   }
-  // Visits and tests are counted per chunk and then added, so chunks are large where there are many
-  // nodes or primitives.
-  const std::size_t counted = std::max(options.perNode ? this->nodeCount_ : 0,
-    options.perPrimitive ? this->surface_.size() : std::size_t{ 0 });
-  const std::size_t chunk = this->goTogether(rays, query, options)
-    ? std::clamp(rays.size / leastPlans, raysPerChunk, raysPerPlan)
-    : std::max(raysPerChunk, counted / 4);
+  const Course course = this->courseOf(rays, query, options);
+  const std::size_t chunk = this->chunkSize(course, rays, options);
   QueryReport report;
   std::mutex mutex;
   std::vector<std::uint8_t> reached((rays.size + chunk - 1) / chunk, 0);
@@ -288,7 +96,7 @@ QueryReport BatchRunner::run(const RayBatch& rays, QueryKind query, const QueryO
     {
       reached[begin / chunk] = 1;
       clear(begin, end);
-      Chunk work(*this, rays, query, options);
+      Chunk work(*this, course, rays, query, options);
       body(begin, end, work);
       const std::lock_guard<std::mutex> lock(mutex);
       work.addTo(report);

@@ -41,8 +41,9 @@ StructureWalks baselineWalks()
 class BatchRunner
 {
 public:
+  /// memory: of the structure, in bytes; 0: rays are taken as they come in any case.
   BatchRunner(const Surface& surface, const void* structure, StructureWalks walks,
-    const void* blocks, std::size_t nodeCount);
+    const void* blocks, std::size_t nodeCount, std::size_t memory);
 
   QueryReport closest(const RayBatch& rays, Hit* hits, const QueryOptions& options) const;
   QueryReport any(const RayBatch& rays, std::uint8_t* hit, const QueryOptions& options) const;
@@ -55,8 +56,17 @@ public:
 private:
   class Chunk;
 
-  /// Whether rays that start in one point are to be traced together.
-  bool goTogether(const RayBatch& rays, QueryKind query, const QueryOptions& options) const;
+  /// How the rays of a batch go through the structure. Answers do not depend on it.
+  enum class Course
+  {
+    AsTheyCome,
+    ByOrigin, ///< in OriginOrder
+    Together  ///< those that start in one point in bundles
+  };
+  Course courseOf(const RayBatch& rays, QueryKind query, const QueryOptions& options) const;
+
+  /// Rays that one thread takes at a time.
+  std::size_t chunkSize(Course course, const RayBatch& rays, const QueryOptions& options) const;
 
   /// All or Ties.
   QueryReport lists(
@@ -79,6 +89,7 @@ private:
   StructureWalks walks_;
   const void* blocks_;
   std::size_t nodeCount_;
+  std::size_t memory_;
 };
 
 } // namespace lumitree

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
 namespace lumitree
 {
@@ -29,10 +27,6 @@ constexpr double largestSize = 0x1p100;
 
 constexpr int cellBits = 7; ///< per direction of a face
 constexpr int sectorBits = 5;
-constexpr int radixBits = 10;
-/// Fewer rays are sorted by comparing: a radix sort would look at its buckets for longer.
-constexpr std::size_t leastRadix = 512;
-static_assert(2 * cellBits + sectorBits <= 2 * radixBits);
 
 /// The bits of a number, each followed by a 0.
 constexpr std::array<std::uint16_t, 1 << cellBits> makeSpaced()
@@ -163,48 +157,12 @@ void BundlePlan::sort()
     this->keys_.push_back(p.sector << 2 * cellBits |
       static_cast<std::uint32_t>(spaced[cell(p.u)] | spaced[cell(p.v)] << 1));
   }
-  this->byKey_.resize(this->keys_.size());
-  if (this->keys_.size() < leastRadix)
-  {
-    std::iota(this->byKey_.begin(), this->byKey_.end(), 0u);
-    std::sort(this->byKey_.begin(), this->byKey_.end(),
-      [this](std::uint32_t a, std::uint32_t b)
-      { return std::tie(this->keys_[a], a) < std::tie(this->keys_[b], b); });
-  }
-  else
-  {
-    this->sortByRadix();
-  }
   this->sorted_.clear();
-  for (const std::uint32_t i : this->byKey_)
+  for (const std::uint32_t i : this->byKey_.sort(this->keys_, 2 * cellBits + sectorBits))
   {
     this->sorted_.push_back(this->places_[i]);
   }
   this->places_.swap(this->sorted_);
-}
-
-void BundlePlan::sortByRadix()
-{
-  constexpr std::uint32_t mask = (1u << radixBits) - 1;
-  std::array<std::uint32_t, (1 << radixBits) + 1> starts[2] = {};
-  for (const std::uint32_t key : this->keys_)
-  {
-    ++starts[0][(key & mask) + 1];
-    ++starts[1][(key >> radixBits) + 1];
-  }
-  for (auto& start : starts)
-  {
-    std::partial_sum(start.begin(), start.end(), start.begin());
-  }
-  this->byLowBits_.resize(this->keys_.size());
-  for (std::uint32_t i = 0; i < this->keys_.size(); ++i)
-  {
-    this->byLowBits_[starts[0][this->keys_[i] & mask]++] = i;
-  }
-  for (const std::uint32_t i : this->byLowBits_)
-  {
-    this->byKey_[starts[1][this->keys_[i] >> radixBits]++] = i;
-  }
 }
 
 void BundlePlan::cut()

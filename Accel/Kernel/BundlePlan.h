@@ -3,6 +3,7 @@
 #ifndef Lumitree_Accel_Kernel_BundlePlan_h
 #define Lumitree_Accel_Kernel_BundlePlan_h
 
+#include "Accel/Kernel/RadixOrder.h"
 #include "Accel/Ray.h"
 
 #include <cstdint>
@@ -60,7 +61,6 @@ private:
   void place(const T* directions, const RayBatch& rays, std::size_t first, std::size_t last);
   /// By sector, then along a Morton curve over the face; as they came where these are equal.
   void sort();
-  void sortByRadix();
   void cut();
 
   std::size_t begin_ = 0;
@@ -69,8 +69,7 @@ private:
   std::vector<Place> places_;
   std::vector<Place> sorted_;
   std::vector<std::uint32_t> keys_;
-  std::vector<std::uint32_t> byKey_;
-  std::vector<std::uint32_t> byLowBits_;
+  RadixOrder byKey_;
   std::vector<std::size_t> order_;
   std::vector<Bundle> bundles_;
   std::vector<std::size_t> alone_;

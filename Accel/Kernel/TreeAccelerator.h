@@ -208,7 +208,7 @@ private:
   {
     return BatchRunner(this->surface(), this->tree_->walked(), Tree::walks(),
       std::visit([](const auto& blocks) -> const void* { return &blocks; }, this->blocks_),
-      this->statistics_.nodes);
+      this->statistics_.nodes, this->statistics_.memory);
   }
 
   LeafBlocks blocks_;

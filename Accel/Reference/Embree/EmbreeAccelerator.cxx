@@ -108,7 +108,7 @@ private:
     StructureWalks walks;
     walks.plain = answer<LeafVisitor>;
     walks.counting = answer<CountingVisitor>;
-    return BatchRunner(this->surface(), &asked, walks, nullptr, this->statistics_.nodes);
+    return BatchRunner(this->surface(), &asked, walks, nullptr, this->statistics_.nodes, 0);
   }
 
   std::unique_ptr<const EmbreeScene> scene_;
