@@ -142,6 +142,35 @@ TEST(FilterBound, IntervalsHoldWhereOnlyRoundingCounts)
   EXPECT_GT(inside, 3000);
 }
 
+/// Needles along the ray: the weights err most in proportion, and t hangs on them alone. All
+/// components are large, so that rounding is as near to its bound as it seems to get.
+TEST(FilterBound, IntervalsHoldWhereWeightsErrMost)
+{
+  Uniform uniform(22);
+  int inside = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const auto diagonal = [&] { return Vec3{ uniform(0.9, 1), uniform(0.9, 1), uniform(0.9, 1) }; };
+    const Vec3 along = diagonal();
+    const Vec3 a = Vec3{ -1, 1, -1 } + 0.1 * diagonal();
+    const Vec3 side = std::ldexp(1.0, -25 - i % 16) * Vec3{ uniform(-1, 1), uniform(-1, 1), 1 };
+    const std::array<Vec3, 3> triangle = { a, a + along, a + uniform(0.2, 0.8) * along + side };
+    const Vec3 target = (1 / 3.0) * (triangle[0] + triangle[1] + triangle[2]);
+    const Vec3 origin = target - along + uniform(0.02, 0.2) * Vec3{ 1, -1, uniform(-1, 1) };
+    const Ray ray = { origin, target - origin };
+    const RationalCrossing exact(ray, triangle);
+    if (!exact.inside)
+    {
+      continue;
+    }
+    ++inside;
+    const Crossing x = crossing(FilterRay(ray), triangle);
+    ASSERT_LE(rational(x.tLow), exact.t) << i;
+    ASSERT_LE(exact.t, rational(x.tHigh)) << i;
+  }
+  EXPECT_GT(inside, 2000);
+}
+
 TEST(FilterBound, IntervalsHoldForDirectionsWithoutAReciprocal)
 {
   const std::array<Vec3, 3> triangle = { Vec3{ 0, 0, 0 }, Vec3{ 1, 0, 0 }, Vec3{ 0, 1, 0 } };

@@ -170,7 +170,7 @@ LEAF = [
            "cmake/LumitreeCompiler.cmake", ":-ffp-contract=off>", ":-ffp-contract=fast>"),
     mutant("The interval of t without its rounding", "FilterBound Triangles",
            CROSSING, "std::fabs(high)) + 0x1p-1020;\n  double mean", "std::fabs(high)) * 0.0;\n  double mean"),
-    mutant("The interval of t a third as wide as the weights allow", "FilterBound",
+    mutant("The interval of t a thirtieth as wide as the weights allow", "FilterBound",
            CROSSING, "3.0 * relative * (1.0 + 4.0 * relative) * spread", "0.1 * relative * spread"),
     mutant("The interval of t trusts weights within their error", "FilterBound",
            CROSSING, "if (relative < 1.0 / 12)", "if (true)"),
