@@ -150,7 +150,7 @@ inline CatalogueScene badSoup()
   }
   scene.quadrics.push_back(Quadric::sphere({ inf, 0, 0 }, 1));
   scene.quadrics.push_back(Quadric::sphere({ 0, 0, 0 }, -1));
-  addRaysAt(scene, 150, 2, scene.rays);
+  addRaysAt(scene, 90, 2, scene.rays);
   return scene;
 }
 
@@ -220,7 +220,7 @@ inline CatalogueScene onALattice()
   rounded.shift = { -4, -4, -4 };
   const auto tree = std::make_shared<const ImplicitTree>(leaf(rounded));
   scene.implicits.push_back({ functionOf(tree), boxOf(2, 6), 0.0 });
-  scene.rays = latticeRays(250, 8, 7);
+  scene.rays = latticeRays(120, 8, 7);
   for (const Vec3& d : { Vec3{ 1, 1, 1 }, Vec3{ 1, 1, 0 }, Vec3{ 0, -1, 1 }, Vec3{ -1, 1, -1 } })
   {
     for (const double start : { -1.0, 0.0, 0.5, 8.0, 9.0 })
@@ -278,7 +278,7 @@ inline CatalogueScene everyScale()
         break;
     }
   }
-  addRaysAt(scene, 500, 9, scene.rays);
+  addRaysAt(scene, 300, 9, scene.rays);
   return scene;
 }
 
@@ -286,7 +286,7 @@ inline CatalogueScene everyScale()
 inline CatalogueScene bodiesOfEveryKind()
 {
   CatalogueScene scene{ "bodies of every kind", someTriangles(), manyKinds(), {}, {} };
-  scene.rays = raysFor(*surfaceOf(scene, Matter::DoubleMixed), 150, 10);
+  scene.rays = raysFor(*surfaceOf(scene, Matter::DoubleMixed), 80, 10);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 // vtkLumiRayCast by the data model: what each query gives, and that it is right.
 #include "RaysFixtures.h"
 
+#include "vtkLumiAccelerationStructure.h"
 #include "vtkLumiRayCast.h"
 
 #include "vtkCellData.h"
@@ -451,12 +452,14 @@ TEST_F(RayCast, TheSurfaceTellsWhatItsCellsCost)
   EXPECT_EQ(surfaceCells()->GetArray("RayTests"), nullptr);
   this->cast_->CountTraversalOn();
   for (const int structure : { vtkLumiRayCast::BruteForce, vtkLumiRayCast::Bvh,
-         vtkLumiRayCast::WideBvh, vtkLumiRayCast::Grid, vtkLumiRayCast::KdTree })
+         vtkLumiRayCast::WideBvh, vtkLumiRayCast::Grid, vtkLumiRayCast::Octree,
+         vtkLumiRayCast::KdTree, vtkLumiRayCast::BspTree })
   {
     this->cast_->SetStructure(structure);
     const Outputs out = this->run(vtkLumiRayCast::Closest);
     double tests = 0.0;
     double hits = 0.0;
+    double references = 0.0;
     for (const char* name : { "RayTests", "RayHits", "LeafReferences" })
     {
       ASSERT_EQ(shape(surfaceCells(), name), "id 1");
@@ -467,7 +470,16 @@ TEST_F(RayCast, TheSurfaceTellsWhatItsCellsCost)
       tests += value(surfaceCells(), "RayTests", cell);
       hits += value(surfaceCells(), "RayHits", cell);
       ASSERT_GE(value(surfaceCells(), "LeafReferences", cell), 1);
+      references += value(surfaceCells(), "LeafReferences", cell);
     }
+    // As many as all leaves hold.
+    vtkNew<vtkLumiAccelerationStructure> tree;
+    tree->SetInputData(0, this->surface_);
+    tree->SetStructure(structure);
+    tree->Update();
+    EXPECT_EQ(references,
+      value(vtkTable::SafeDownCast(tree->GetOutputDataObject(1))->GetRowData(), "References", 0))
+      << structure;
     double tested = 0.0;
     double hit = 0.0;
     for (vtkIdType r = 0; r < out.rays->GetNumberOfPoints(); ++r)

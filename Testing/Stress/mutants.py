@@ -28,7 +28,7 @@ STYLE = "StyleFloatingPointFlags"
 # All of the core's tests, the quick ones first; those that a mutant names run before them.
 TESTS = (
     "Triangles Boxes SkipSets Surface Choices Hierarchy Grid Cells Stress FilterBound KdTree Octree "
-    "TriangleBoxOverlap ExactPredicates ExactStages AgainstBruteForce Quadrics Queries Save Watertight Builders Numbers"
+    "TriangleBoxOverlap ExactPredicates ExactStages AgainstBruteForce Catalogue Quadrics Queries Save Watertight Builders Numbers"
 ).split()
 QUICK = 12
 
