@@ -24,11 +24,11 @@ constexpr int mostFirstBits = 15;
 constexpr int mostBits = 17;
 ///@}
 
-/// Parts of half the interval sought that the gaps, and what is found alone, may be for rays to be
-/// left out.
+/// Parts of half the interval sought that the gaps, and the light of what is found alone, may be
+/// for rays to be left out.
 ///@{
 constexpr double mostGap = 0.5;
-constexpr double mostAlone = 0.6;
+constexpr double mostAlone = 0.1;
 ///@}
 
 } // namespace
@@ -109,6 +109,7 @@ void VisibleShare::judge()
   };
   this->now_.compareNeighbours();
   double pairs = 0.0;
+  double squares = 0.0;
   this->alone_ = 0.0;
   for (std::uint32_t cell = 0; cell < this->now_.size(); ++cell)
   {
@@ -123,10 +124,11 @@ void VisibleShare::judge()
     if (state != agreed && state != NetGrid::Nothing && agreed != NetGrid::Nothing)
     {
       const double light = this->now_.light(cell);
-      this->alone_ += light * light;
+      squares += light * light;
+      this->alone_ += light;
     }
   }
-  this->perPoint_ = (pairs + this->alone_ + this->takenAlone_) / this->end_;
+  this->perPoint_ = (pairs + squares + this->takenAlone_) / this->end_;
 }
 
 double VisibleShare::halfWidth()
@@ -143,7 +145,7 @@ double VisibleShare::halfWidth()
 bool VisibleShare::canSpare(double sought) const
 {
   return !this->now_.empty() && !this->before_.empty() && 1.0 / this->full_ <= mostGap * sought &&
-    width * std::sqrt(this->alone_) <= mostAlone * sought * this->all_;
+    this->alone_ <= mostAlone * sought * this->all_;
 }
 
 void VisibleShare::goOn(double sought)

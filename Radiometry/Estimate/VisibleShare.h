@@ -21,10 +21,10 @@ namespace lumitree
 ///
 /// The first n = 2^m points lie one in each of n cells of the square, and so do the next n. Where
 /// all neighbours of a cell agree, the next point there takes over what the one before has found,
-/// and no ray is cast: rays go to the outlines of what hides. The neighbours decide, and not the
-/// point itself, which knows nothing of them: so the mean remains that of the light. What is finer
-/// than the cells costs certainty. A point that takes over what no neighbour found counts twice
-/// instead of being two; where there would be too many of these all rays are cast. And the gap
+/// and no ray is cast: rays go to the outlines of what hides. Points of a net keep off each other,
+/// and so one differs from neighbours that agree about twice as often as by chance: what is taken
+/// over is a little wrong on average, by half of what is found alone. So all rays are cast where
+/// that is more than a tenth of what is sought; what is left counts as uncertain, and the gap
 /// between rays is that of the last net that was cast whole.
 class VisibleShare
 {
@@ -75,7 +75,7 @@ private:
 
   double all_ = 0.0;        ///< Σ f
   double hidden_ = 0.0;     ///< Σ f (1 − V)
-  double alone_ = 0.0;      ///< Σ f² of points that found what no neighbour did
+  double alone_ = 0.0;      ///< Σ f of points that found what no neighbour did
   double takenAlone_ = 0.0; ///< Σ (2 f)² of those that took it over from such a point
   double perPoint_ = 0.0; ///< variance of Σ f (1 − V − share) over the points, of the last grid
   std::uint32_t begin_ = 0;
