@@ -63,8 +63,7 @@ public:
         this->gather(left, plan.lanes, lanes);
         this->gather(left + 1, wideArity - plan.lanes, lanes);
       }
-      std::stable_sort(lanes.begin(), lanes.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return this->effort(a) > this->effort(b); });
+      this->putDearestFirst(lanes);
       kept[i].firstChild = static_cast<std::uint32_t>(kept.size());
       kept[i].childCount = static_cast<std::uint32_t>(lanes.size());
       for (const std::uint32_t lane : lanes)
@@ -78,6 +77,17 @@ public:
   }
 
 private:
+  /// By effort; equal ones stay as they are. At most eight: each is put where it belongs.
+  void putDearestFirst(std::vector<std::uint32_t>& lanes) const
+  {
+    const auto isDearer = [this](std::uint32_t a, std::uint32_t b)
+    { return this->effort(a) > this->effort(b); };
+    for (auto next = lanes.begin(); next != lanes.end(); ++next)
+    {
+      std::rotate(std::upper_bound(lanes.begin(), next, *next, isDearer), next, next + 1);
+    }
+  }
+
   /// What a ray that meets the node's box costs on the way through it.
   [[nodiscard]] float effort(std::uint32_t binary) const
   {
